@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/contact/collider.h"
+
+namespace sim {
+
+enum class Method { forwardEuler, symplecticEuler, velocityVerlet };
+
+/// "forward-euler", "symplectic-euler", "velocity-verlet"; nothing for any other name.
+std::optional<Method> methodFromName(std::string_view name);
+std::string_view nameOf(Method method);
+/// All names, for messages and help.
+const std::vector<std::string>& methodNames();
+
+/// Natural length of the spring between two nodes in contact (P9).
+enum class ContactLength {
+  nearest,  ///< min(r_i, r_j): safe where things break (default)
+  sum,      ///< r_i + r_j, as the paper first states it: for what never breaks
+};
+
+struct ContactSettings {
+  bool between = true;  ///< nodes of different fragments repel
+  bool self = false;    ///< nodes of one fragment repel too, unless they are near along bonds (P13)
+  ContactLength length = ContactLength::nearest;
+  double stiffnessScale = 1.0;  ///< of the weaker node's contact stiffness; (0, 1] keeps P16
+  double dampingRatio = 0.3;    ///< relative to critical of the two nodes
+  double friction = 0.4;        ///< lateral force relative to k (rho - x) (P10)
+};
+
+struct Settings {
+  Method method = Method::velocityVerlet;
+  std::optional<double> step;  ///< s; absent: automatic and stable (docs/numerics.md)
+  double safety = 0.5;         ///< s of dt = s (2/omega)...; at most 0.9
+  ContactSettings contact;
+  std::uint64_t seed = 1;      ///< of the thresholds
+  int threads = 0;             ///< 0: all there are. Results do not depend on it
+};
+
+struct Environment {
+  Vec3 gravity{0.0, 0.0, -981.0};  ///< cm/s^2
+  std::vector<Collider> colliders;
+};
+
+}  // namespace sim

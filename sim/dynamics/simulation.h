@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/control/track.h"
+#include "sim/dynamics/settings.h"
+#include "sim/dynamics/snapshot.h"
+#include "sim/network/network.h"
+
+namespace sim {
+
+/// What was done and what was spared, counted since the start.
+struct Work {
+  std::uint64_t steps = 0;
+  std::uint64_t bondsEvaluated = 0;  ///< each physical bond once a step
+  std::uint64_t bondsSkipped = 0;    ///< broken, zero or resting ones that cost nothing
+  std::uint64_t contactPairs = 0;    ///< pairs of the neighbour lists looked at
+  std::uint64_t neighbourLists = 0;  ///< built
+  std::uint64_t labelings = 0;       ///< fragments relabelled after breaks
+  std::uint64_t stepsRigid = 0;
+};
+
+/// The stepper: owns the moving state and nothing else. Not thread-safe; one thread calls it, inside it uses
+/// Settings::threads threads, and its results do not depend on how many.
+class Simulation {
+ public:
+  /// Takes the network over. A Problem when nothing stable can be done with it (a fixed step above the stable
+  /// one, no finite mass...).
+  static Result<std::unique_ptr<Simulation>> create(Network network, Environment environment, std::vector<Track> tracks,
+                                                    const Settings& settings);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Steps until time() >= until: ends on the first step at or after it, so that when frames are asked for does
+  /// not change the motion. A Problem is a blow-up: it names the node and its material, and the state stays as it
+  /// was when found.
+  Status advanceTo(double until);
+  /// Exactly one step.
+  Status stepOnce();
+
+  double time() const;
+  double step() const;  ///< s: the step being used now
+  std::uint64_t stepCount() const;
+  std::uint64_t brokenBondCount() const;
+
+  Snapshot snapshot() const;
+  /// Hash of positions, velocities, broken bonds and time: equal for equal runs on any number of threads.
+  std::uint64_t stateHash() const;
+  /// Largest relative rise of mechanical energy that outside work does not explain, so far.
+  double maxRise() const;
+  const Work& work() const;
+  /// Breaks since the last call, in order of time, then bond.
+  std::vector<BreakEvent> drainBreakEvents();
+
+  const Network& network() const;
+  /// Bytes of everything this simulation holds.
+  std::size_t memoryBytes() const;
+
+  /// Everything a resumed run needs beyond what create() was given; opaque. Restoring into a simulation created
+  /// from equal arguments continues bit-identically.
+  std::vector<std::byte> checkpoint() const;
+  Status restore(std::span<const std::byte> checkpoint);
+
+ private:
+  struct State;
+  explicit Simulation(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sim
