@@ -1,0 +1,1 @@
+#include "modeling/shapes/lattice.h"
