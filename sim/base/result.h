@@ -7,11 +7,12 @@
 
 namespace sim {
 
-/// Something a person or a file got wrong: where, what, and how to mend it. Never thrown; a value that travels
-/// to where the person looks. What the programmer got wrong asserts instead.
+/// Something a person or a file got wrong: where, what, and how to mend it. Never thrown; a value that
+/// travels to where the person looks. What the programmer got wrong asserts instead.
 struct Problem {
-  std::string place;   ///< "FILE:LINE:COLUMN", a scene path such as "parts[2].reach", or "" where there is none
-  std::string what;    ///< one sentence without a full stop
+  std::string
+      place;         ///< "FILE:LINE:COLUMN", a scene path such as "parts[2].reach", or "" where there is none
+  std::string what;  ///< one sentence without a full stop
   std::string remedy;  ///< one sentence without a full stop, or ""
 
   /// "place: what; remedy" on one line, as the headless program prints it.
@@ -25,7 +26,7 @@ struct Problem {
 template <class Value>
 class [[nodiscard]] Result {
  public:
-  Result(Value value) : content_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Result(Value value) : content_(std::move(value)) {}        // NOLINT(google-explicit-constructor)
   Result(Problem problem) : content_(std::move(problem)) {}  // NOLINT(google-explicit-constructor)
 
   bool ok() const { return std::holds_alternative<Value>(content_); }

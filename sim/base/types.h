@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
+
+#include <Eigen/Core>
 
 /// The simulation core. Units everywhere: centimetre, gram, second, dyne, erg; z points up.
 namespace sim {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <optional>
 #include <string>
+
+#include <Eigen/Geometry>
 
 #include "sim/base/types.h"
 
@@ -15,11 +16,12 @@ enum class ColliderShape { floor, box, sphere, cylinder };
 struct Collider {
   std::string name;
   ColliderShape shape = ColliderShape::floor;
-  Vec3 position = Vec3::Zero();                                  ///< cm: a floor's point, else the centre
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< worldFromCollider; a floor's normal is its z
-  Vec3 halfSize = Vec3::Ones();                                  ///< box: half edges, cm
-  double radius = 1.0;                                           ///< sphere, cylinder, cm
-  double halfHeight = 1.0;                                       ///< cylinder along its z, cm
+  Vec3 position = Vec3::Zero();  ///< cm: a floor's point, else the centre
+  Eigen::Quaterniond rotation =
+      Eigen::Quaterniond::Identity();  ///< worldFromCollider; a floor's normal is its z
+  Vec3 halfSize = Vec3::Ones();        ///< box: half edges, cm
+  double radius = 1.0;                 ///< sphere, cylinder, cm
+  double halfHeight = 1.0;             ///< cylinder along its z, cm
   /// k, dyn/cm a node. Absent: the node's own contact stiffness, which never makes a break gain energy (P16).
   std::optional<double> stiffness;
   double dampingRatio = 0.3;  ///< d relative to critical, 2 sqrt(k m), of the intruding node
@@ -27,10 +29,10 @@ struct Collider {
   bool visible = true;        ///< drawn; invisible ones still push ("invisible characters")
 };
 
-/// How deep a point is inside, and the way out. depth <= 0: outside, by at least -depth... the exact distance for
-/// floor and sphere, a lower bound for box and cylinder.
+/// How deep a point is inside, and the way out. depth <= 0: outside, by at least -depth... the exact distance
+/// for floor and sphere, a lower bound for box and cylinder.
 struct Intrusion {
-  double depth = 0.0;          ///< cm
+  double depth = 0.0;           ///< cm
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the collider
 };
 Intrusion intrusion(const Collider& collider, const Vec3& point);

@@ -11,19 +11,19 @@ enum class Interpolation { step, linear, smooth };
 
 /// What a track drives. Scales multiply the value built from the scene.
 enum class TrackTarget {
-  gravityScale,        ///< scalar
-  gravity,             ///< vector, cm/s^2: replaces the environment's
-  stiffnessScale,      ///< scalar: bond stiffness k of one material, or of all (object == kNone)
-  dampingScale,        ///< scalar: bond damping d of one material, or of all
-  colliderPosition,    ///< vector, cm: the collider's origin; its velocity is the track's slope
-  colliderRotation,    ///< vector, radians: rotation vector about the collider's origin
+  gravityScale,      ///< scalar
+  gravity,           ///< vector, cm/s^2: replaces the environment's
+  stiffnessScale,    ///< scalar: bond stiffness k of one material, or of all (object == kNone)
+  dampingScale,      ///< scalar: bond damping d of one material, or of all
+  colliderPosition,  ///< vector, cm: the collider's origin; its velocity is the track's slope
+  colliderRotation,  ///< vector, radians: rotation vector about the collider's origin
 };
 
-/// A value that varies in time (paper, "Control of flexible models"): constant before the first and after the last
-/// key. `step` holds a key's value until the next key; `smooth` eases with zero slope at both keys.
+/// A value that varies in time (paper, "Control of flexible models"): constant before the first and after the
+/// last key. `step` holds a key's value until the next key; `smooth` eases with zero slope at both keys.
 struct Track {
   struct Key {
-    double time = 0.0;  ///< s, strictly increasing
+    double time = 0.0;          ///< s, strictly increasing
     Vec3 value = Vec3::Zero();  ///< scalars use x
   };
   TrackTarget target = TrackTarget::gravityScale;

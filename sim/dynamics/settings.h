@@ -37,8 +37,8 @@ struct Settings {
   std::optional<double> step;  ///< s; absent: automatic and stable (docs/numerics.md)
   double safety = 0.5;         ///< s of dt = s (2/omega)...; at most 0.9
   ContactSettings contact;
-  std::uint64_t seed = 1;      ///< of the thresholds
-  int threads = 0;             ///< 0: all there are. Results do not depend on it
+  std::uint64_t seed = 1;  ///< of the thresholds
+  int threads = 0;         ///< 0: all there are. Results do not depend on it
 };
 
 struct Environment {

@@ -30,15 +30,15 @@ class Simulation {
  public:
   /// Takes the network over. A Problem when nothing stable can be done with it (a fixed step above the stable
   /// one, no finite mass...).
-  static Result<std::unique_ptr<Simulation>> create(Network network, Environment environment, std::vector<Track> tracks,
-                                                    const Settings& settings);
+  static Result<std::unique_ptr<Simulation>> create(Network network, Environment environment,
+                                                    std::vector<Track> tracks, const Settings& settings);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Steps until time() >= until: ends on the first step at or after it, so that when frames are asked for does
-  /// not change the motion. A Problem is a blow-up: it names the node and its material, and the state stays as it
-  /// was when found.
+  /// Steps until time() >= until: ends on the first step at or after it, so that when frames are asked for
+  /// does not change the motion. A Problem is a blow-up: it names the node and its material, and the state
+  /// stays as it was when found.
   Status advanceTo(double until);
   /// Exactly one step.
   Status stepOnce();
@@ -61,8 +61,8 @@ class Simulation {
   /// Bytes of everything this simulation holds.
   std::size_t memoryBytes() const;
 
-  /// Everything a resumed run needs beyond what create() was given; opaque. Restoring into a simulation created
-  /// from equal arguments continues bit-identically.
+  /// Everything a resumed run needs beyond what create() was given; opaque. Restoring into a simulation
+  /// created from equal arguments continues bit-identically.
   std::vector<std::byte> checkpoint() const;
   Status restore(std::span<const std::byte> checkpoint);
 

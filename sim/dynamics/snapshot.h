@@ -7,16 +7,16 @@
 
 namespace sim {
 
-/// Where the energy is, erg (B3). kinetic + elastic + gravity + contact + dissipated + released - outsideWork -
-/// (its value at the start) = residual, the numerical error.
+/// Where the energy is, erg (B3). kinetic + elastic + gravity + contact + dissipated + released - outsideWork
+/// - (its value at the start) = residual, the numerical error.
 struct Energy {
   double kinetic = 0.0;
-  double elastic = 0.0;     ///< in intact bonds
-  double gravity = 0.0;     ///< of position, zero at the start
-  double contact = 0.0;     ///< in node contacts, colliders and broken bonds in compression
-  double dissipated = 0.0;  ///< by damping, friction and plastic flow, since the start
-  double released = 0.0;    ///< dropped when bonds broke in tension, since the start
-  double outsideWork = 0.0; ///< done by tracks and moving colliders, since the start
+  double elastic = 0.0;      ///< in intact bonds
+  double gravity = 0.0;      ///< of position, zero at the start
+  double contact = 0.0;      ///< in node contacts, colliders and broken bonds in compression
+  double dissipated = 0.0;   ///< by damping, friction and plastic flow, since the start
+  double released = 0.0;     ///< dropped when bonds broke in tension, since the start
+  double outsideWork = 0.0;  ///< done by tracks and moving colliders, since the start
   double residual = 0.0;
 
   double mechanical() const { return kinetic + elastic + gravity + contact; }

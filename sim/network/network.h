@@ -19,8 +19,8 @@ struct Material {
   std::string name;
   double thresholdMean = kUnbreakable;  ///< t_ij of the paper: breaks when stretched past (1 + t) rest length
   double thresholdSpread = 0.0;         ///< standard deviation of t relative to its mean (P14)
-  double yieldStrain = kUnbreakable;    ///< |strain| above which the rest length flows (P2); infinite: elastic
-  double flowRate = 0.0;                ///< 1/s: share of the excess strain by which the rest length flows a second
+  double yieldStrain = kUnbreakable;  ///< |strain| above which the rest length flows (P2); infinite: elastic
+  double flowRate = 0.0;  ///< 1/s: share of the excess strain by which the rest length flows a second
 
   bool operator==(const Material&) const = default;
 };
@@ -36,30 +36,31 @@ struct BondClass {
   bool operator==(const BondClass&) const = default;
 };
 
-/// The eight corners of a cell: corner c = i + 2 j + 4 k at local coordinates (i, j, k), right-handed, so that
-/// the signed volume is positive.
+/// The eight corners of a cell: corner c = i + 2 j + 4 k at local coordinates (i, j, k), right-handed, so
+/// that the signed volume is positive.
 using CellCorners = std::array<NodeIndex, 8>;
 
-/// The dynamic solid model N = {nodes, bonds} of the paper (section "Dynamic solid models"), with cells, as it
-/// is before anything moves. Built by buildNetwork(), never edited by hand.
+/// The dynamic solid model N = {nodes, bonds} of the paper (section "Dynamic solid models"), with cells, as
+/// it is before anything moves. Built by buildNetwork(), never edited by hand.
 ///
 /// Invariants (validate()): at most one bond a pair; bonds sorted by (first, second) with first < second, so
-/// that firstBond is a row index; all constants finite and positive; cells name eight different existing nodes.
-/// A node of infinite mass is held: it keeps its velocity whatever pulls at it.
+/// that firstBond is a row index; all constants finite and positive; cells name eight different existing
+/// nodes. A node of infinite mass is held: it keeps its velocity whatever pulls at it.
 struct Network {
   // Nodes, one entry each.
-  std::vector<Vec3> positions;         ///< R_i, cm
-  std::vector<Vec3> velocities;        ///< V_i, cm/s
-  std::vector<double> masses;          ///< m_i, g; infinite for a held node
-  std::vector<float> radii;            ///< distance to the nearest bonded neighbour at rest, cm (paper, "Collision detection")
+  std::vector<Vec3> positions;   ///< R_i, cm
+  std::vector<Vec3> velocities;  ///< V_i, cm/s
+  std::vector<double> masses;    ///< m_i, g; infinite for a held node
+  std::vector<float>
+      radii;  ///< distance to the nearest bonded neighbour at rest, cm (paper, "Collision detection")
   std::vector<MaterialIndex> nodeMaterials;
   std::vector<PartIndex> nodeParts;
 
   // Bonds, sorted. Bond b joins node a, where firstBond[a] <= b < firstBond[a + 1], with bondEnds[b] > a.
-  std::vector<BondIndex> firstBond;    ///< nodeCount() + 1 entries
+  std::vector<BondIndex> firstBond;  ///< nodeCount() + 1 entries
   std::vector<NodeIndex> bondEnds;
   std::vector<std::uint32_t> bondClasses;
-  std::vector<float> thresholds;       ///< t_ij, already varied at random; infinite: unbreakable
+  std::vector<float> thresholds;  ///< t_ij, already varied at random; infinite: unbreakable
 
   std::vector<BondClass> classes;
   std::vector<CellCorners> cells;
@@ -93,8 +94,9 @@ struct BlueprintBond {
   MaterialIndex material = 0;
 };
 
-/// Unsorted input of buildNetwork(). Node order is kept: give nodes in lattice order, the longest axis innermost
-/// (consecutive), because neighbours at equal index distance are what the force kernel reads in one go.
+/// Unsorted input of buildNetwork(). Node order is kept: give nodes in lattice order, the longest axis
+/// innermost (consecutive), because neighbours at equal index distance are what the force kernel reads in one
+/// go.
 struct Blueprint {
   struct Node {
     Vec3 position = Vec3::Zero();
@@ -111,8 +113,8 @@ struct Blueprint {
 };
 
 /// Sorts, interns classes (constants equal to 1e-12 relative share one), draws thresholds
-/// (sim/fracture/thresholds.h) and checks. A Problem names the first offending node, bond or cell: two bonds on
-/// one pair, an index out of range, a non-positive or non-finite constant.
+/// (sim/fracture/thresholds.h) and checks. A Problem names the first offending node, bond or cell: two bonds
+/// on one pair, an index out of range, a non-positive or non-finite constant.
 Result<Network> buildNetwork(Blueprint blueprint, std::uint64_t seed);
 
 }  // namespace sim

@@ -14,8 +14,8 @@ struct SurfaceFace {
   bool fracture = false;  ///< shared by two cells when everything was whole: the inside of the material shows
 };
 
-/// All surface faces, in order of their cells. brokenCells: one byte a cell, nonzero where broken; empty means
-/// none is.
+/// All surface faces, in order of their cells. brokenCells: one byte a cell, nonzero where broken; empty
+/// means none is.
 std::vector<SurfaceFace> surfaceFaces(const Network& network, const std::vector<std::uint8_t>& brokenCells);
 
 }  // namespace sim

@@ -14,7 +14,7 @@ namespace sim {
 /// What stands at the head of a take. `scene` is opaque here: the text of the scene the run came from.
 struct TakeHeader {
   std::string scene;
-  std::string sceneHash;     ///< hexadecimal, of `scene`
+  std::string sceneHash;  ///< hexadecimal, of `scene`
   double framesPerSecond = 24.0;
   std::uint64_t seed = 1;
 };
@@ -24,11 +24,12 @@ struct TakeHeader {
 class TakeWriter {
  public:
   /// Creates (or replaces) the file, writes header and network.
-  static Result<std::unique_ptr<TakeWriter>> create(const std::filesystem::path& path, const TakeHeader& header,
-                                                    const Network& network);
-  /// Opens an existing take to continue it after frame `lastFrame`: what stands behind that frame's checkpoint
-  /// is cut off.
-  static Result<std::unique_ptr<TakeWriter>> continueAfter(const std::filesystem::path& path, std::size_t lastFrame);
+  static Result<std::unique_ptr<TakeWriter>> create(const std::filesystem::path& path,
+                                                    const TakeHeader& header, const Network& network);
+  /// Opens an existing take to continue it after frame `lastFrame`: what stands behind that frame's
+  /// checkpoint is cut off.
+  static Result<std::unique_ptr<TakeWriter>> continueAfter(const std::filesystem::path& path,
+                                                           std::size_t lastFrame);
   virtual ~TakeWriter() = default;
 
   virtual Status appendFrame(const Snapshot& frame, const std::vector<BreakEvent>& eventsSinceLastFrame) = 0;

@@ -37,7 +37,8 @@ TEST_CASE("the slope is the derivative of the value") {
   for (const auto interpolation : {Interpolation::linear, Interpolation::smooth}) {
     const Track track = twoKeys(interpolation);
     for (const double time : {1.1, 1.7, 2.0, 2.9}) {
-      const double quotient = (track.valueAt(time + width).x() - track.valueAt(time - width).x()) / (2.0 * width);
+      const double quotient =
+          (track.valueAt(time + width).x() - track.valueAt(time - width).x()) / (2.0 * width);
       CHECK(track.slopeAt(time).x() == Approx(quotient).margin(1e-8));
     }
   }
