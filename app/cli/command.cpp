@@ -1,0 +1,15 @@
+#include "app/cli/command.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace app {
+
+ExitStatus complain(const sim::Problem& problem, ExitStatus status) {
+  std::string line = problem.line();
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::cerr << line << '\n';
+  return status;
+}
+
+}  // namespace app

@@ -1,0 +1,27 @@
+#pragma once
+
+
+#include "sim/base/result.h"
+
+namespace CLI {
+class App;
+}
+
+/// The headless program. Results go to standard output, progress and errors to standard error.
+namespace app {
+
+/// What the program answers to the shell.
+enum class ExitStatus {
+  done = 0,
+  failed = 1,      ///< the run itself failed: a blow-up, a full disk
+  wrongInput = 2,  ///< a file, a value or an option is wrong; one line says where and how to mend it
+};
+
+/// Prints the problem's line to standard error and returns the status, so that a command can `return` it.
+ExitStatus complain(const sim::Problem& problem, ExitStatus status = ExitStatus::wrongInput);
+
+/// A command registers its name, options and callback with the program, and its callback leaves its answer in
+/// `status`. One such function a command, each in its own file.
+using AddCommand = void (*)(CLI::App& program, ExitStatus& status);
+
+}  // namespace app
