@@ -10,12 +10,12 @@ namespace modeling {
 using sim::Vec3;
 
 /// What every shape is turned into: nodes in lattice order (the longest axis innermost) and hexahedral cells.
-/// Invariants: every cell has positive volume and a positive Jacobian at its corners; no node is without a cell; two cells that
-/// touch share nodes (conforming). A raw network is no lattice: it has no cells.
+/// Invariants: every cell has positive volume and a positive Jacobian at its corners; no node is without a
+/// cell; two cells that touch share nodes (conforming). A raw network is no lattice: it has no cells.
 struct Lattice {
-  std::vector<Vec3> nodes;             ///< part coordinates, cm
+  std::vector<Vec3> nodes;  ///< part coordinates, cm
   std::vector<sim::CellCorners> cells;
-  std::vector<Vec3> parameters;        ///< the shape's own (u, v, w) in [0, 1]^3 at each node: texture coordinates
+  std::vector<Vec3> parameters;  ///< the shape's own (u, v, w) in [0, 1]^3 at each node: texture coordinates
 };
 
 }  // namespace modeling

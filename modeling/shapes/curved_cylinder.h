@@ -1,0 +1,54 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+
+#include "modeling/shapes/bezier.h"
+#include "modeling/shapes/lattice.h"
+#include "modeling/shapes/resolution.h"
+#include "sim/base/result.h"
+
+namespace modeling {
+
+/// What is swept along the curve. Every section lies within first axis * halfWidth and second axis *
+/// halfDepth.
+enum class SweepSection {
+  disc,       ///< the ellipse, solid
+  rectangle,  ///< the rectangle, solid
+  ring,       ///< the ellipse's wall: between it and the one whose half axes are smaller by wallThickness
+  arc,        ///< the part of the ring from startAngle to endAngle: half a spout
+};
+
+/// A curved cylinder (paper, "Geometric modeling": handle and spout of the teapot): a section swept along a
+/// chain of cubic Bezier segments.
+///
+/// The section's plane has a first and a second axis. With one curve it is perpendicular to the curve, which
+/// passes through its centre; the first axis starts as near as may be to `firstAxis` and turns about the
+/// curve no more than it must (rotation-minimising), or with `keepFirstAxis` is `firstAxis` made
+/// perpendicular to the curve everywhere. With a second curve the two are rails: the section is centred
+/// between points of equal share of length, its first axis runs from the first rail to the second, half their
+/// distance being the half width (halfWidth is not read), and its second axis is perpendicular to that and to
+/// the way the sweep goes. The teapot's handle and spout are given so.
+///
+/// u runs along the curve. disc and ring: v around, w outwards. rectangle: v along the first axis, w along
+/// the second. arc: v from startAngle to endAngle, w outwards through the wall. disc: cells around are a
+/// multiple of 8; cells outwards count from the axis and are not read (the disc's own layout fixes them).
+/// Angles run from the first axis towards the second.
+struct CurvedCylinderShape {
+  CurveChain curve;
+  CurveChain secondRail;           ///< empty: `curve` is the centre line
+  Vec3 firstAxis = Vec3::UnitY();  ///< not along the curve's start; not read with a second rail
+  bool keepFirstAxis = false;
+  SweepSection section = SweepSection::disc;
+  ValueChain halfWidth =
+      constantValue(0.5);  ///< cm, > 0, along the first axis; one segment a curve segment, or one for all
+  ValueChain halfDepth = constantValue(0.5);  ///< cm, > 0, along the second axis; likewise
+  double wallThickness = 0.3;                 ///< cm; ring and arc: > 0 and less than both half axes
+  double startAngle = 0.0;                    ///< rad; arc only
+  double endAngle = std::numbers::pi;         ///< rad; arc only, startAngle < endAngle < startAngle + 2 pi
+  Resolution resolution;
+};
+
+sim::Result<Lattice> build(const CurvedCylinderShape& shape);
+
+}  // namespace modeling
