@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sim/network/network.h"
@@ -14,8 +15,24 @@ struct SurfaceFace {
   bool fracture = false;  ///< shared by two cells when everything was whole: the inside of the material shows
 };
 
-/// All surface faces, in order of their cells. brokenCells: one byte a cell, nonzero where broken; empty
-/// means none is.
+/// Which faces of the cells coincide. Depends on the network alone: made once, it yields the surface of every
+/// frame. Building and asking are linear in the number of cells.
+class CellFaces {
+ public:
+  explicit CellFaces(const Network& network);
+
+  /// All surface faces, in order of their cells. brokenCells: one byte a cell, nonzero where broken; empty means
+  /// none is.
+  std::vector<SurfaceFace> surface(const std::vector<std::uint8_t>& brokenCells) const;
+
+ private:
+  bool isInterior(std::uint32_t face, const std::vector<std::uint8_t>& brokenCells) const;
+
+  std::vector<CellCorners> cells_;
+  std::vector<std::uint32_t> twins_;  ///< face 6 cell + side -> next face of the same four nodes, in a ring
+};
+
+/// The surface of one moment; CellFaces saves work where many are asked for.
 std::vector<SurfaceFace> surfaceFaces(const Network& network, const std::vector<std::uint8_t>& brokenCells);
 
 }  // namespace sim
