@@ -1,5 +1,6 @@
 #include "sim/base/bytes.h"
 
+#include <catch2/catch.hpp>
 #include <limits>
 
 namespace {
