@@ -1,7 +1,8 @@
 #include "sim/base/bytes.h"
 
-#include <catch2/catch.hpp>
 #include <limits>
+
+#include <catch2/catch.hpp>
 
 namespace {
 
