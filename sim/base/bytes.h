@@ -50,15 +50,17 @@ class ByteWriter {
   /// Bytes as they are, without a count.
   void putBytes(std::span<const std::byte> bytes) { append(bytes.data(), bytes.size()); }
 
+  /// Room for `size` more bytes, to be filled by the caller before anything else is put.
+  std::span<std::byte> extend(std::size_t size);
+
   std::size_t size() const { return bytes_.size(); }
   std::span<const std::byte> bytes() const { return bytes_; }
   std::vector<std::byte> take() && { return std::move(bytes_); }
 
  private:
   void append(const void* data, std::size_t size) {
-    const std::size_t end = bytes_.size();
-    bytes_.resize(end + size);
-    if (size > 0) std::memcpy(bytes_.data() + end, data, size);
+    const std::span<std::byte> room = extend(size);
+    if (size > 0) std::memcpy(room.data(), data, size);
   }
 
   std::vector<std::byte> bytes_;
@@ -111,6 +113,13 @@ class ByteReader {
     return bytes;
   }
 
+  /// For those who read by this reader and find that what they read cannot be. Always false.
+  bool fail() {
+    ok_ = false;
+    rest_ = {};
+    return false;
+  }
+
   bool ok() const { return ok_; }
   std::size_t remaining() const { return rest_.size(); }
   /// All went well and nothing is left over: what a record asks when it is through.
@@ -124,12 +133,6 @@ class ByteReader {
     } else {
       return T{};
     }
-  }
-
-  bool fail() {
-    ok_ = false;
-    rest_ = {};
-    return false;
   }
 
   std::span<const std::byte> rest_;

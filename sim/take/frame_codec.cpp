@@ -1,0 +1,198 @@
+#include "sim/take/frame_codec.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/take/planes.h"
+
+namespace sim {
+namespace {
+
+// A member added to one of these must be stored too, and kTakeVersion raised.
+static_assert(sizeof(Energy) == 8 * sizeof(double));
+static_assert(sizeof(LedgerRow) == sizeof(Energy) + 8 * sizeof(double));
+static_assert(sizeof(Fragment) == 17 * sizeof(double));
+static_assert(sizeof(BreakEvent) == 4 * sizeof(double));
+static_assert(sizeof(Snapshot) == sizeof(LedgerRow) + 2 * sizeof(double) + 6 * sizeof(std::vector<int>));
+
+/// One member of every record, so that like stands by like and compresses.
+template <class Member, class Record>
+void putColumn(ByteWriter& writer, const std::vector<Record>& records, Member Record::*member) {
+  std::vector<Member> column(records.size());
+  std::ranges::transform(records, column.begin(), [member](const Record& record) { return record.*member; });
+  putPlanes(writer, column);
+}
+
+/// Records and column must be equally many.
+template <class Member, class Record>
+void readColumn(ByteReader& reader, std::vector<Record>& records, Member Record::*member) {
+  std::vector<Member> column;
+  if (!readPlanes(reader, column, records.size())) return;
+  for (std::size_t i = 0; i < records.size(); ++i) records[i].*member = column[i];
+}
+
+/// Makes room for as many records as the first column has members, but at most `limit`: a record is larger
+/// than its first member, so a damaged count may not be believed just because that many members follow.
+template <class Member, class Record>
+void readFirstColumn(ByteReader& reader, std::vector<Record>& records, Member Record::*member,
+                     std::size_t limit) {
+  std::vector<Member> column;
+  readPlanes(reader, column);
+  if (column.size() > limit) reader.fail();
+  if (!reader.ok()) return;
+  records.resize(column.size());
+  for (std::size_t i = 0; i < records.size(); ++i) records[i].*member = column[i];
+}
+
+constexpr double Energy::*kEnergyMembers[] = {&Energy::kinetic,     &Energy::elastic,    &Energy::gravity,
+                                              &Energy::contact,     &Energy::dissipated, &Energy::released,
+                                              &Energy::outsideWork, &Energy::residual};
+
+void putLedger(ByteWriter& writer, const LedgerRow& row) {
+  writer.put(row.time);
+  for (const auto member : kEnergyMembers) writer.put(row.energy.*member);
+  writer.put(row.linearMomentum);
+  writer.put(row.angularMomentum);
+  writer.put(row.step);
+}
+
+void readLedger(ByteReader& reader, LedgerRow& row) {
+  reader.read(row.time);
+  for (const auto member : kEnergyMembers) reader.read(row.energy.*member);
+  reader.read(row.linearMomentum);
+  reader.read(row.angularMomentum);
+  reader.read(row.step);
+}
+
+void readBreakage(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
+  readPlanes(reader, snapshot.fragmentOfNode, size.nodes);
+  readFlags(reader, snapshot.brokenBonds, size.bonds);
+  readFlags(reader, snapshot.brokenCells, size.cells);
+  readFirstColumn(reader, snapshot.fragments, &Fragment::id, size.nodes);
+  readColumn(reader, snapshot.fragments, &Fragment::parent);
+  readColumn(reader, snapshot.fragments, &Fragment::born);
+  readColumn(reader, snapshot.fragments, &Fragment::nodeCount);
+  readColumn(reader, snapshot.fragments, &Fragment::mass);
+}
+
+void readFrame(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
+  reader.read(snapshot.time);
+  reader.read(snapshot.stepCount);
+  readLedger(reader, snapshot.ledger);
+  readPlanes(reader, snapshot.positions, size.nodes);
+  readPlanes(reader, snapshot.velocities, size.nodes);
+  readColumn(reader, snapshot.fragments, &Fragment::centre);
+  readColumn(reader, snapshot.fragments, &Fragment::velocity);
+  readColumn(reader, snapshot.fragments, &Fragment::boxMin);
+  readColumn(reader, snapshot.fragments, &Fragment::boxMax);
+  readColumn(reader, snapshot.fragments, &Fragment::state);
+}
+
+std::optional<std::string> faultOfFragments(const NetworkSize& size, const Snapshot& snapshot) {
+  const std::vector<Fragment>& fragments = snapshot.fragments;
+  const auto outOfOrder = [](const Fragment& a, const Fragment& b) { return a.id >= b.id; };
+  if (std::ranges::adjacent_find(fragments, outOfOrder) != fragments.end())
+    return "its fragments are out of order";
+  FragmentId known = kNone;
+  for (std::size_t node = 0; node < size.nodes; ++node) {
+    const FragmentId id = snapshot.fragmentOfNode[node];
+    if (id == known) continue;
+    const auto found = std::ranges::lower_bound(fragments, id, {}, &Fragment::id);
+    if (id != kNone && (found == fragments.end() || found->id != id))
+      return "its node " + std::to_string(node) + " is in a fragment that is not there";
+    known = id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> faultOf(const NetworkSize& size, const Snapshot& snapshot) {
+  if (snapshot.positions.size() != size.nodes || snapshot.velocities.size() != size.nodes ||
+      snapshot.fragmentOfNode.size() != size.nodes)
+    return "it has another number of nodes than the network";
+  if (snapshot.brokenBonds.size() != size.bonds) return "it has another number of bonds than the network";
+  if (snapshot.brokenCells.size() != size.cells) return "it has another number of cells than the network";
+  if (snapshot.fragments.size() > size.nodes) return "it has more fragments than nodes";
+  if (!std::isfinite(snapshot.time)) return "its time is not finite";
+  return faultOfFragments(size, snapshot);
+}
+
+std::optional<std::string> faultOf(const NetworkSize& size, const std::vector<BreakEvent>& events) {
+  if (events.size() > size.bonds) return "more bonds broke between two frames than there are";
+  const auto improper = [&size](const BreakEvent& event) {
+    return event.bond >= size.bonds || event.a >= size.nodes || event.b >= size.nodes ||
+           (event.cell != kNone && event.cell >= size.cells) || !std::isfinite(event.time);
+  };
+  const auto found = std::ranges::find_if(events, improper);
+  if (found == events.end()) return std::nullopt;
+  return "break event " + std::to_string(found - events.begin()) + " names what is not in the network";
+}
+
+ByteWriter encodeBreakage(const Snapshot& snapshot) {
+  ByteWriter writer;
+  putPlanes(writer, snapshot.fragmentOfNode);
+  putFlags(writer, snapshot.brokenBonds);
+  putFlags(writer, snapshot.brokenCells);
+  putColumn(writer, snapshot.fragments, &Fragment::id);
+  putColumn(writer, snapshot.fragments, &Fragment::parent);
+  putColumn(writer, snapshot.fragments, &Fragment::born);
+  putColumn(writer, snapshot.fragments, &Fragment::nodeCount);
+  putColumn(writer, snapshot.fragments, &Fragment::mass);
+  return writer;
+}
+
+ByteWriter encodeFrame(const Snapshot& snapshot) {
+  ByteWriter writer;
+  writer.put(snapshot.time);
+  writer.put(snapshot.stepCount);
+  putLedger(writer, snapshot.ledger);
+  putPlanes(writer, snapshot.positions);
+  putPlanes(writer, snapshot.velocities);
+  putColumn(writer, snapshot.fragments, &Fragment::centre);
+  putColumn(writer, snapshot.fragments, &Fragment::velocity);
+  putColumn(writer, snapshot.fragments, &Fragment::boxMin);
+  putColumn(writer, snapshot.fragments, &Fragment::boxMax);
+  putColumn(writer, snapshot.fragments, &Fragment::state);
+  return writer;
+}
+
+Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> frame,
+                                std::span<const std::byte> breakage) {
+  Snapshot snapshot;
+  ByteReader breakageReader(breakage);
+  readBreakage(breakageReader, size, snapshot);
+  if (!breakageReader.finished()) return Problem{"", "its record of what is broken is damaged", ""};
+  ByteReader frameReader(frame);
+  readFrame(frameReader, size, snapshot);
+  if (!frameReader.finished()) return Problem{"", "its record of what moves is damaged", ""};
+  if (const auto fault = faultOf(size, snapshot)) return Problem{"", *fault, ""};
+  return snapshot;
+}
+
+ByteWriter encodeEvents(const std::vector<BreakEvent>& events) {
+  ByteWriter writer;
+  putColumn(writer, events, &BreakEvent::time);
+  putColumn(writer, events, &BreakEvent::bond);
+  putColumn(writer, events, &BreakEvent::a);
+  putColumn(writer, events, &BreakEvent::b);
+  putColumn(writer, events, &BreakEvent::strain);
+  putColumn(writer, events, &BreakEvent::cell);
+  return writer;
+}
+
+Result<std::vector<BreakEvent>> decodeEvents(const NetworkSize& size, std::span<const std::byte> content) {
+  std::vector<BreakEvent> events;
+  ByteReader reader(content);
+  readFirstColumn(reader, events, &BreakEvent::time, size.bonds);
+  readColumn(reader, events, &BreakEvent::bond);
+  readColumn(reader, events, &BreakEvent::a);
+  readColumn(reader, events, &BreakEvent::b);
+  readColumn(reader, events, &BreakEvent::strain);
+  readColumn(reader, events, &BreakEvent::cell);
+  if (!reader.finished()) return Problem{"", "its record of breaks is damaged", ""};
+  if (const auto fault = faultOf(size, events)) return Problem{"", *fault, ""};
+  return events;
+}
+
+}  // namespace sim

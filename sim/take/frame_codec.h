@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/base/bytes.h"
+#include "sim/base/result.h"
+#include "sim/dynamics/snapshot.h"
+#include "sim/network/network.h"
+
+namespace sim {
+
+// Contents of the chunks that record motion. A snapshot is stored in two parts: its breakage (what is broken,
+// which node is in which fragment, and what of the fragments is settled at birth), which in most frames is
+// what it was, and the frame (all that moves). Both encodings are a function of the snapshot alone, so equal
+// breakage has equal bytes and is found by comparing them.
+
+/// What the arrays of a snapshot must agree with.
+struct NetworkSize {
+  std::size_t nodes = 0;
+  std::size_t bonds = 0;
+  std::size_t cells = 0;
+  static NetworkSize of(const Network& network) {
+    return {network.nodeCount(), network.bondCount(), network.cellCount()};
+  }
+};
+
+ByteWriter encodeBreakage(const Snapshot& snapshot);
+ByteWriter encodeFrame(const Snapshot& snapshot);
+/// What comes back has arrays of the network's sizes and passes faultOf(). Flags of broken bonds and cells
+/// come back as 0 or 1.
+Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> frame,
+                                std::span<const std::byte> breakage);
+
+ByteWriter encodeEvents(const std::vector<BreakEvent>& events);
+/// Every index that comes back is in the network.
+Result<std::vector<BreakEvent>> decodeEvents(const NetworkSize& size, std::span<const std::byte> content);
+
+/// The first thing by which a snapshot doesn't fit the network, in words: arrays of other lengths, more
+/// fragments than nodes, fragments not strictly in order of their ids, a node in a fragment that is not there
+/// (kNone is allowed), a time that is not finite. Asked before writing and after reading.
+std::optional<std::string> faultOf(const NetworkSize& size, const Snapshot& snapshot);
+/// The first event that names what is not in the network, or more events than bonds, in words.
+std::optional<std::string> faultOf(const NetworkSize& size, const std::vector<BreakEvent>& events);
+
+}  // namespace sim

@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "sim/take/chunk.h"
+#include "sim/take/file_take_reader.h"
+#include "sim/take/frame_codec.h"
+#include "sim/take/head_codec.h"
+#include "sim/take/take.h"
+#include "sim/take/take_file.h"
+
+namespace sim {
+namespace {
+
+/// What the next append has to know of those before it.
+struct Progress {
+  std::uint64_t nextSequence = 0;
+  std::uint64_t nextFrame = 0;
+  double lastTime = -std::numeric_limits<double>::infinity();
+  /// The breakage stored last, as encoded, and its chunk: kNoBase before the first.
+  std::vector<std::byte> breakage;
+  std::uint64_t breakageSequence = ChunkHeader::kNoBase;
+};
+
+class FileTakeWriter final : public TakeWriter {
+ public:
+  FileTakeWriter(TakeFile file, NetworkSize size, Progress progress)
+      : file_(std::move(file)), size_(size), progress_(std::move(progress)) {}
+
+  Status appendFrame(const Snapshot& frame, const std::vector<BreakEvent>& eventsSinceLastFrame) override;
+  Status appendCheckpoint(const std::vector<std::byte>& checkpoint) override;
+  Status finish(const std::string& outcome) override;
+
+ private:
+  Problem refusal(const std::string& what) const { return Problem{file_.path().string(), what, ""}; }
+  Status appendOne(ChunkKind kind, std::uint64_t frame, std::span<const std::byte> content);
+
+  TakeFile file_;
+  NetworkSize size_;
+  Progress progress_;
+  bool finished_ = false;
+};
+
+Status FileTakeWriter::appendFrame(const Snapshot& frame,
+                                   const std::vector<BreakEvent>& eventsSinceLastFrame) {
+  if (finished_) return refusal("a frame came after the end of the take");
+  if (const auto fault = faultOf(size_, frame)) return refusal("this frame can't be recorded: " + *fault);
+  if (const auto fault = faultOf(size_, eventsSinceLastFrame))
+    return refusal("this frame can't be recorded: " + *fault);
+  if (frame.time < progress_.lastTime)
+    return refusal("this frame can't be recorded: it is before the last one");
+
+  // All chunks of the frame go out in one write, the frame last: it seals what it needs.
+  ByteWriter out;
+  std::uint64_t sequence = progress_.nextSequence;
+  std::uint64_t breakageSequence = progress_.breakageSequence;
+  ByteWriter breakage = encodeBreakage(frame);
+  const bool broken = breakageSequence == ChunkHeader::kNoBase ||
+                      !std::ranges::equal(breakage.bytes(), std::span(progress_.breakage));
+  ChunkHeader header;
+  header.frame = progress_.nextFrame;
+  header.time = frame.time;
+  const auto put = [&](ChunkKind kind, std::span<const std::byte> content) {
+    header.kind = kind;
+    header.sequence = sequence++;
+    appendChunk(out, header, content);
+    return header.sequence;
+  };
+  if (broken) breakageSequence = put(ChunkKind::breakage, breakage.bytes());
+  if (!eventsSinceLastFrame.empty()) put(ChunkKind::events, encodeEvents(eventsSinceLastFrame).bytes());
+  header.base = breakageSequence;
+  put(ChunkKind::frame, encodeFrame(frame).bytes());
+  if (Status appended = file_.append(out.bytes()); !appended) return appended;
+
+  progress_.nextSequence = sequence;
+  ++progress_.nextFrame;
+  progress_.lastTime = frame.time;
+  progress_.breakageSequence = breakageSequence;
+  if (broken) progress_.breakage = std::move(breakage).take();
+  return Done{};
+}
+
+Status FileTakeWriter::appendOne(ChunkKind kind, std::uint64_t frame, std::span<const std::byte> content) {
+  ChunkHeader header;
+  header.kind = kind;
+  header.sequence = progress_.nextSequence;
+  header.frame = frame;
+  header.time = progress_.nextFrame == 0 ? 0.0 : progress_.lastTime;
+  ByteWriter out;
+  appendChunk(out, header, content);
+  if (Status appended = file_.append(out.bytes()); !appended) return appended;
+  ++progress_.nextSequence;
+  return Done{};
+}
+
+Status FileTakeWriter::appendCheckpoint(const std::vector<std::byte>& checkpoint) {
+  if (finished_) return refusal("a checkpoint came after the end of the take");
+  if (progress_.nextFrame == 0) return refusal("a checkpoint came before the first frame");
+  return appendOne(ChunkKind::checkpoint, progress_.nextFrame - 1, checkpoint);
+}
+
+Status FileTakeWriter::finish(const std::string& outcome) {
+  if (finished_) return refusal("the take has ended already");
+  ByteWriter content;
+  content.putString(outcome);
+  if (Status appended = appendOne(ChunkKind::outcome, progress_.nextFrame, content.bytes()); !appended)
+    return appended;
+  finished_ = true;
+  return file_.sync();
+}
+
+/// Where to go on after a frame, once all that is to be kept of it is seen to be intact.
+Result<Progress> progressAfter(const FileTakeReader& reader, std::size_t frame) {
+  if (const auto snapshot = reader.frame(frame); !snapshot) return snapshot.problem();
+  if (const auto checkpoint = reader.checkpoint(frame); !checkpoint) return checkpoint.problem();
+  const TakeIndex& index = reader.index();
+  const TakeIndex::Frame& place = index.frames[frame];
+  const ChunkHeader& frameHeader = index.chunks[place.chunk].header;
+  Progress progress;
+  progress.nextSequence = index.chunks[place.checkpoint].header.sequence + 1;
+  progress.nextFrame = frameHeader.frame + 1;
+  progress.lastTime = frameHeader.time;
+  progress.breakage = reader.content(place.breakage).value_or(std::vector<std::byte>());
+  progress.breakageSequence = frameHeader.base;
+  return progress;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<TakeWriter>> TakeWriter::create(const std::filesystem::path& path,
+                                                       const TakeHeader& header, const Network& network) {
+  if (!std::isfinite(header.framesPerSecond) || !(header.framesPerSecond > 0.0))
+    return Problem{path.string(), "the frames per second of a take must be a positive number", ""};
+  if (const auto fault = network.validate())
+    return Problem{path.string(), "the network is not sound: " + *fault, ""};
+  auto file = TakeFile::create(path);
+  if (!file) return file.problem();
+
+  ByteWriter out;
+  ChunkHeader chunk;
+  appendChunk(out, chunk, encodeHead(header).bytes());
+  chunk.kind = ChunkKind::network;
+  chunk.sequence = 1;
+  appendChunk(out, chunk, encodeNetwork(network).bytes());
+  if (Status appended = file->append(out.bytes()); !appended) return appended.problem();
+  Progress progress;
+  progress.nextSequence = 2;
+  return std::unique_ptr<TakeWriter>(
+      new FileTakeWriter(std::move(file).value(), NetworkSize::of(network), std::move(progress)));
+}
+
+Result<std::unique_ptr<TakeWriter>> TakeWriter::continueAfter(const std::filesystem::path& path,
+                                                              std::size_t lastFrame) {
+  auto file = TakeFile::openToAppend(path);
+  if (!file) return file.problem();
+  auto reader = FileTakeReader::over(std::move(file).value());
+  if (!reader) return reader.problem();
+  auto progress = progressAfter(**reader, lastFrame);
+  if (!progress) return progress.problem();
+  const NetworkSize size = NetworkSize::of((*reader)->network());
+  const TakeIndex& index = (*reader)->index();
+  const std::uint64_t end = index.chunks[index.frames[lastFrame].checkpoint].end();
+  TakeFile kept = std::move(**reader).releaseFile();
+  if (Status cut = kept.cut(end); !cut) return cut.problem();
+  return std::unique_ptr<TakeWriter>(new FileTakeWriter(std::move(kept), size, std::move(progress).value()));
+}
+
+}  // namespace sim

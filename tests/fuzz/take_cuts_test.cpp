@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <cstring>
+#include <random>
+
+#include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include "sim/take/chunk.h"
+#include "sim/take/frame_codec.h"
+#include "sim/take/take.h"
+#include "tests/sim/take_sample.h"
+#include "tests/support/grid_network.h"
+
+using namespace tests;
+
+namespace {
+
+using Random = std::mt19937_64;
+constexpr std::size_t kFrames = 12;
+constexpr rlim_t kMostMemory = rlim_t{1} << 30;
+
+std::size_t below(Random& random, std::size_t limit) {
+  return std::uniform_int_distribution<std::size_t>(0, limit - 1)(random);
+}
+
+std::uint64_t hugeCount(Random& random) {
+  const std::uint64_t counts[] = {0x7fffffff,
+                                  0xffffffff,
+                                  std::uint64_t{1} << 33,
+                                  ~std::uint64_t{0},
+                                  std::uint64_t{1} << 61,
+                                  (std::uint64_t{1} << 63) + 1,
+                                  300'000'000,
+                                  20'000'000};
+  return counts[below(random, std::size(counts))];
+}
+
+std::span<const std::byte> bytesOf(const std::vector<char>& bytes) {
+  return std::as_bytes(std::span(bytes));
+}
+
+struct Place {
+  std::size_t offset = 0;
+  sim::ChunkHeader header;
+};
+
+std::vector<Place> chunksOf(const std::vector<char>& bytes) {
+  std::vector<Place> places;
+  for (std::size_t offset = 0; offset < bytes.size();) {
+    const auto header = sim::parseChunkHeader(bytesOf(bytes).subspan(offset));
+    REQUIRE(header);
+    places.push_back({offset, *header});
+    offset += sim::kChunkHeaderBytes + header->payloadBytes;
+  }
+  return places;
+}
+
+void cutTail(std::vector<char>& bytes, Random& random) {
+  bytes.resize(below(random, bytes.size()));
+}
+
+void flipBits(std::vector<char>& bytes, Random& random) {
+  for (std::size_t n = 1 + below(random, 8); n > 0; --n) {
+    bytes[below(random, bytes.size())] ^= static_cast<char>(1 << below(random, 8));
+  }
+}
+
+void dropMiddle(std::vector<char>& bytes, Random& random) {
+  const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(below(random, bytes.size()));
+  bytes.erase(first, first + std::min<std::ptrdiff_t>(bytes.end() - first,
+                                                      1 + static_cast<std::ptrdiff_t>(below(random, 500))));
+}
+
+void repeatMiddle(std::vector<char>& bytes, Random& random) {
+  const std::size_t first = below(random, bytes.size());
+  const std::size_t last = std::min(bytes.size(), first + below(random, 3000));
+  const std::vector<char> piece(bytes.begin() + static_cast<std::ptrdiff_t>(first),
+                                bytes.begin() + static_cast<std::ptrdiff_t>(last));
+  bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(below(random, bytes.size())), piece.begin(),
+               piece.end());
+}
+
+void put64(std::vector<char>& bytes, std::size_t at, std::uint64_t value) {
+  std::memcpy(bytes.data() + at, &value, sizeof(value));
+}
+
+/// A field of a chunk's header becomes huge, and the header is sealed again.
+void spoilHeader(std::vector<char>& bytes, Random& random) {
+  const std::vector<Place> places = chunksOf(bytes);
+  const std::size_t offset = places[below(random, places.size())].offset;
+  put64(bytes, offset + 8 + 8 * below(random, 7), hugeCount(random));
+  put64(bytes, offset + sim::kChunkHeaderBytes - 8,
+        XXH3_64bits(bytes.data() + offset, sim::kChunkHeaderBytes - 8));
+}
+
+/// Something inside a chunk changes, and the chunk is packed and sealed again.
+void spoilContent(std::vector<char>& bytes, Random& random) {
+  const std::vector<Place> places = chunksOf(bytes);
+  const Place& place = places[below(random, places.size())];
+  const std::size_t payload = place.offset + sim::kChunkHeaderBytes;
+  auto content = sim::openPayload(place.header, bytesOf(bytes).subspan(payload, place.header.payloadBytes));
+  REQUIRE(content);
+  if (content->size() > 8) {
+    // Counts stand anywhere, most of them near the beginning.
+    const std::size_t reach =
+        below(random, 2) == 0 ? std::min<std::size_t>(content->size(), 48) : content->size();
+    const std::size_t at = std::min(below(random, reach), content->size() - 8);
+    const std::uint64_t value = below(random, 2) == 0 ? hugeCount(random) : random();
+    std::memcpy(content->data() + at, &value, below(random, 2) == 0 ? 8 : 1);
+    if (below(random, 4) == 0) content->resize(below(random, content->size()));
+  }
+  sim::ByteWriter resealed;
+  sim::appendChunk(resealed, place.header, *content);
+  const auto at = bytes.begin() + static_cast<std::ptrdiff_t>(place.offset);
+  const auto rest =
+      bytes.erase(at, at + static_cast<std::ptrdiff_t>(sim::kChunkHeaderBytes + place.header.payloadBytes));
+  const auto* first = reinterpret_cast<const char*>(resealed.bytes().data());
+  bytes.insert(rest, first, first + resealed.size());
+}
+
+/// Reads all there is to be had, and goes on recording. False when a frame came back as it never was.
+bool readEverything(const std::filesystem::path& path, const sim::Network& network, bool sealed) {
+  std::size_t lastCheckpoint = kFrames;
+  if (auto opened = sim::TakeReader::open(path); opened.ok()) {
+    const sim::TakeReader& take = **opened;
+    const sim::NetworkSize size = sim::NetworkSize::of(take.network());
+    if (take.network().validate() || take.frameCount() > kFrames) return false;
+    for (std::size_t frame = 0; frame < take.frameCount(); ++frame) {
+      const auto read = take.frame(frame);
+      (void)take.eventsOf(frame);
+      if (!read) continue;
+      if (sim::faultOf(size, **read)) return false;
+      const auto number = static_cast<std::size_t>((*read)->time * 240.0 + 0.5);
+      if (!sealed && !identical(**read, sampleFrame(network, number))) return false;
+    }
+    (void)take.events();
+    (void)take.outcome();
+    for (const std::size_t frame : take.checkpointFrames()) {
+      if (take.checkpoint(frame).ok()) lastCheckpoint = frame;
+    }
+  }
+  (void)sim::TakeWriter::continueAfter(path, lastCheckpoint);
+  return true;
+}
+
+/// In a process of its own, with no more memory than kMostMemory (a sanitizer's own needs don't count).
+bool survives(const std::filesystem::path& path, const sim::Network& network, bool sealed) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    const rlimit limit{kMostMemory, kMostMemory};
+    if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(2);
+#endif
+    ::_exit(readEverything(path, network, sealed) ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("a spoiled take gives problems or fewer frames, never a wrong frame, a crash or a gigabyte",
+          "[take][fuzz]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(2, 2, 3);
+  const auto path = folder.file("whole.take");
+  {
+    auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+    REQUIRE(writer.ok());
+    REQUIRE(appendSample(**writer, network, 0, kFrames).ok());
+    REQUIRE((*writer)->finish("done").ok());
+  }
+  const std::vector<char> whole = fileBytes(path);
+  REQUIRE(survives(path, network, false));
+  using Spoil = void (*)(std::vector<char>&, Random&);
+  const Spoil spoils[] = {cutTail,     flipBits,     dropMiddle,  repeatMiddle,
+                          spoilHeader, spoilContent, spoilContent};
+  for (unsigned seed = 0; seed < 140; ++seed) {
+    Random random(seed);
+    const std::size_t kind = seed % std::size(spoils);
+    std::vector<char> bytes = whole;
+    spoils[kind](bytes, random);
+    const auto spoiled = folder.file("spoiled.take");
+    writeBytes(spoiled, bytes);
+    INFO("seed " << seed << ", kind " << kind);
+    CHECK(survives(spoiled, network, kind >= 4));
+  }
+}

@@ -1,0 +1,282 @@
+#include "sim/take/take.h"
+
+#include <limits>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "sim/take/frame_codec.h"
+#include "sim/take/head_codec.h"
+#include "tests/sim/take_sample.h"
+#include "tests/support/grid_network.h"
+
+using namespace tests;
+
+namespace {
+
+void record(const std::filesystem::path& path, const sim::Network& network, std::size_t frames) {
+  auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+  REQUIRE(writer.ok());
+  REQUIRE(appendSample(**writer, network, 0, frames).ok());
+  REQUIRE((*writer)->finish("done").ok());
+}
+
+bool identical(const sim::Network& a, const sim::Network& b) {
+  const sim::ByteWriter bytesOfA = sim::encodeNetwork(a);
+  const sim::ByteWriter bytesOfB = sim::encodeNetwork(b);
+  return std::ranges::equal(bytesOfA.bytes(), bytesOfB.bytes());
+}
+
+}  // namespace
+
+TEST_CASE("a take gives back what was recorded, bit for bit, in any order", "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(3, 2, 4);
+  const auto path = folder.file("block.take");
+  record(path, network, 20);
+
+  auto opened = sim::TakeReader::open(path);
+  REQUIRE(opened.ok());
+  const sim::TakeReader& take = **opened;
+  CHECK(take.header() == sampleHeader());
+  CHECK(identical(take.network(), network));
+  CHECK(take.network().firstBond == network.firstBond);
+  CHECK(take.network().bondEnds == network.bondEnds);
+  CHECK(take.network().cells == network.cells);
+  CHECK(take.network().positions == network.positions);
+  CHECK(take.network().materials == network.materials);
+  CHECK(take.network().classes == network.classes);
+  CHECK(take.outcome() == "done");
+  CHECK(take.droppedBytes() == 0);
+  REQUIRE(take.frameCount() == 20);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const std::size_t frame = 7 * i % 20;
+    const sim::Snapshot expected = sampleFrame(network, frame);
+    const auto read = take.frame(frame);
+    REQUIRE(read.ok());
+    CHECK(identical(**read, expected));
+    CHECK((*read)->positions == expected.positions);
+    CHECK((*read)->velocities == expected.velocities);
+    CHECK((*read)->fragmentOfNode == expected.fragmentOfNode);
+    CHECK((*read)->brokenBonds == expected.brokenBonds);
+    CHECK((*read)->brokenCells == expected.brokenCells);
+    CHECK((*read)->fragments.size() == expected.fragments.size());
+    CHECK((*read)->ledger.energy.residual == 1e-17);
+    CHECK(take.frameTime(frame) == expected.time);
+    const auto events = take.eventsOf(frame);
+    REQUIRE(events.ok());
+    CHECK(identical(*events, sampleEvents(network, frame)));
+  }
+  CHECK(take.checkpointFrames() == std::vector<std::size_t>{0, 4, 8, 12, 16});
+  const auto checkpoint = take.checkpoint(12);
+  REQUIRE(checkpoint.ok());
+  CHECK(*checkpoint == sampleCheckpoint(12));
+  const auto events = take.events();
+  REQUIRE(events.ok());
+  CHECK(events->size() == 7);
+}
+
+TEST_CASE("what is not there is a problem that says so", "[take]") {
+  const ScratchFolder folder;
+  const auto path = folder.file("block.take");
+  record(path, gridNetwork(1, 1, 2), 6);
+  auto take = sim::TakeReader::open(path);
+  REQUIRE(take.ok());
+  CHECK_FALSE((*take)->frame(6).ok());
+  CHECK_FALSE((*take)->eventsOf(6).ok());
+  CHECK_FALSE((*take)->checkpoint(6).ok());
+  const auto checkpoint = (*take)->checkpoint(5);
+  REQUIRE_FALSE(checkpoint.ok());
+  CHECK(checkpoint.problem().line() ==
+        path.string() + ": frame 5 has no checkpoint to go on from; go on from frame 4");
+
+  CHECK_FALSE(sim::TakeReader::open(folder.file("nothing.take")).ok());
+  writeBytes(folder.file("scene.take"), {'{', '}'});
+  const auto scene = sim::TakeReader::open(folder.file("scene.take"));
+  REQUIRE_FALSE(scene.ok());
+  CHECK(scene.problem().what == "this is not a take, or nothing of it is left");
+  CHECK_FALSE(sim::TakeReader::open(folder.file(".")).ok());
+}
+
+TEST_CASE("doubles of every kind survive a frame", "[take]") {
+  const sim::Network network = gridNetwork(1, 1, 1);
+  sim::Snapshot frame = sampleFrame(network, 3);
+  const double limits[] = {-0.0, std::numeric_limits<double>::denorm_min(),
+                           std::numeric_limits<double>::max(), -std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()};
+  for (std::size_t i = 0; i < std::size(limits); ++i) frame.velocities[i].setConstant(limits[i]);
+  const auto decoded = sim::decodeSnapshot(sim::NetworkSize::of(network), sim::encodeFrame(frame).bytes(),
+                                           sim::encodeBreakage(frame).bytes());
+  REQUIRE(decoded.ok());
+  CHECK(identical(*decoded, frame));
+}
+
+TEST_CASE("what did not break is stored once", "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(8, 8, 8);
+  const auto path = folder.file("block.take");
+  auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+  REQUIRE(writer.ok());
+  sim::Snapshot frame = sampleFrame(network, 9);
+  REQUIRE((*writer)->appendFrame(frame, {}).ok());
+  const auto once = std::filesystem::file_size(path);
+  REQUIRE((*writer)->appendFrame(frame, {}).ok());
+  const auto same = std::filesystem::file_size(path) - once;
+  frame.brokenBonds[3] ^= 1;
+  REQUIRE((*writer)->appendFrame(frame, {}).ok());
+  const auto changed = std::filesystem::file_size(path) - once - same;
+  CHECK(same < changed);
+  auto take = sim::TakeReader::open(path);
+  REQUIRE(take.ok());
+  CHECK((*take)->frame(1).value()->brokenBonds != (*take)->frame(2).value()->brokenBonds);
+}
+
+TEST_CASE("a frame that is not of the network is refused and leaves the take as it was", "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(2, 2, 2);
+  const auto path = folder.file("block.take");
+  auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+  REQUIRE(writer.ok());
+  CHECK_FALSE((*writer)->appendCheckpoint({}).ok());
+  REQUIRE((*writer)->appendFrame(sampleFrame(network, 5), {}).ok());
+  const auto size = std::filesystem::file_size(path);
+
+  const auto refused = [&](auto&& spoil) {
+    sim::Snapshot frame = sampleFrame(network, 6);
+    std::vector<sim::BreakEvent> events(1);
+    events[0].bond = events[0].a = events[0].b = 0;
+    spoil(frame, events);
+    CHECK_FALSE((*writer)->appendFrame(frame, events).ok());
+    CHECK(std::filesystem::file_size(path) == size);
+  };
+  using Events = std::vector<sim::BreakEvent>;
+  refused([](sim::Snapshot& frame, Events&) { frame.positions.pop_back(); });
+  refused([](sim::Snapshot& frame, Events&) { frame.brokenBonds.push_back(0); });
+  refused([](sim::Snapshot& frame, Events&) { frame.brokenCells.clear(); });
+  refused([](sim::Snapshot& frame, Events&) { frame.fragmentOfNode[1] = 99; });
+  refused([](sim::Snapshot& frame, Events&) { frame.fragments[1].id = 0; });
+  refused([](sim::Snapshot& frame, Events&) { frame.time = 0.0; });
+  refused([](sim::Snapshot& frame, Events&) { frame.time = std::numeric_limits<double>::quiet_NaN(); });
+  refused([&](sim::Snapshot&, Events& events) {
+    events[0].bond = static_cast<sim::BondIndex>(network.bondCount());
+  });
+  refused([](sim::Snapshot&, Events& events) { events[0].b = sim::kNone; });
+
+  REQUIRE((*writer)->finish("stopped").ok());
+  CHECK_FALSE((*writer)->appendFrame(sampleFrame(network, 7), {}).ok());
+  CHECK_FALSE((*writer)->finish("done").ok());
+  auto take = sim::TakeReader::open(path);
+  REQUIRE(take.ok());
+  CHECK((*take)->frameCount() == 1);
+  CHECK((*take)->outcome() == "stopped");
+}
+
+TEST_CASE("a take that goes on after any checkpoint is the take that never stopped", "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(3, 2, 2);
+  const auto whole = folder.file("whole.take");
+  record(whole, network, 13);
+  const auto expected = fileBytes(whole);
+  for (const std::size_t frame : {0U, 4U, 8U, 12U}) {
+    const auto path = folder.file("again.take");
+    writeBytes(path, expected);
+    auto writer = sim::TakeWriter::continueAfter(path, frame);
+    REQUIRE(writer.ok());
+    REQUIRE(appendSample(**writer, network, frame + 1, 13).ok());
+    REQUIRE((*writer)->finish("done").ok());
+    CHECK(fileBytes(path) == expected);
+  }
+  for (const std::size_t frame : {1U, 13U}) {
+    CHECK_FALSE(sim::TakeWriter::continueAfter(whole, frame).ok());
+    CHECK(fileBytes(whole) == expected);
+  }
+}
+
+TEST_CASE("every prefix of a take opens with every frame that is whole in it", "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(1, 1, 1);
+  const auto path = folder.file("block.take");
+  std::vector<std::size_t> ends;
+  {
+    auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+    REQUIRE(writer.ok());
+    ends.push_back(std::filesystem::file_size(path));
+    for (std::size_t frame = 0; frame < 5; ++frame) {
+      REQUIRE((*writer)->appendFrame(sampleFrame(network, frame), sampleEvents(network, frame)).ok());
+      ends.push_back(std::filesystem::file_size(path));
+    }
+  }
+  for (std::size_t size = std::filesystem::file_size(path) + 1; size-- > 0;) {
+    std::filesystem::resize_file(path, size);
+    auto take = sim::TakeReader::open(path);
+    if (size < ends[0]) {
+      CHECK_FALSE(take.ok());
+      continue;
+    }
+    REQUIRE(take.ok());
+    const auto wholeEnd = std::upper_bound(ends.begin(), ends.end(), size) - 1;
+    const auto frames = static_cast<std::size_t>(wholeEnd - ends.begin());
+    REQUIRE((*take)->frameCount() == frames);
+    CHECK((*take)->droppedBytes() == size - *wholeEnd);
+    if (frames > 0) CHECK(identical(**(*take)->frame(frames - 1), sampleFrame(network, frames - 1)));
+  }
+}
+
+TEST_CASE("damage in the middle costs what it hit and nothing else", "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(2, 2, 2);
+  const auto path = folder.file("block.take");
+  std::vector<std::size_t> ends;
+  auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+  REQUIRE(writer.ok());
+  // Nothing breaks between frames 5 and 6, so frame 6 needs only what frame 4 stored.
+  for (std::size_t frame = 4; frame < 8; ++frame) {
+    ends.push_back(std::filesystem::file_size(path));
+    REQUIRE((*writer)->appendFrame(sampleFrame(network, frame), {}).ok());
+  }
+  REQUIRE(ends.size() == 4);
+  const auto bytes = fileBytes(path);
+  const auto damaged = folder.file("damaged.take");
+
+  SECTION("a header: the frame is gone, the others are there") {
+    auto spoiled = bytes;
+    spoiled[ends[1] + 20] ^= 1;
+    writeBytes(damaged, spoiled);
+    auto take = sim::TakeReader::open(damaged);
+    REQUIRE(take.ok());
+    CHECK((*take)->droppedBytes() == ends[2] - ends[1]);
+    REQUIRE((*take)->frameCount() == 3);
+    CHECK(identical(**(*take)->frame(0), sampleFrame(network, 4)));
+    CHECK(identical(**(*take)->frame(1), sampleFrame(network, 6)));
+    CHECK(identical(**(*take)->frame(2), sampleFrame(network, 7)));
+  }
+  SECTION("a payload: reading that frame is a problem") {
+    auto spoiled = bytes;
+    spoiled[ends[2] - 1] ^= 1;
+    writeBytes(damaged, spoiled);
+    auto take = sim::TakeReader::open(damaged);
+    REQUIRE(take.ok());
+    REQUIRE((*take)->frameCount() == 4);
+    CHECK_FALSE((*take)->frame(1).ok());
+    CHECK(identical(**(*take)->frame(2), sampleFrame(network, 6)));
+  }
+  SECTION("bytes that are missing: what follows is found again") {
+    auto spoiled = bytes;
+    spoiled.erase(spoiled.begin() + static_cast<std::ptrdiff_t>(ends[1]) + 90);
+    writeBytes(damaged, spoiled);
+    auto take = sim::TakeReader::open(damaged);
+    REQUIRE(take.ok());
+    CHECK((*take)->droppedBytes() > 0);
+    CHECK(identical(**(*take)->frame((*take)->frameCount() - 1), sampleFrame(network, 7)));
+  }
+  SECTION("what frames lean on: they say so, the next ones that broke are there") {
+    auto spoiled = bytes;
+    spoiled[ends[0] + 20] ^= 1;
+    writeBytes(damaged, spoiled);
+    auto take = sim::TakeReader::open(damaged);
+    REQUIRE(take.ok());
+    REQUIRE((*take)->frameCount() == 4);
+    for (const std::size_t frame : {0U, 1U, 2U}) CHECK_FALSE((*take)->frame(frame).ok());
+    CHECK(identical(**(*take)->frame(3), sampleFrame(network, 7)));
+  }
+}
