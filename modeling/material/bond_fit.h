@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "modeling/material/material.h"
-#include "modeling/shapes/lattice.h"
+#include "modeling/shapes/quality.h"
 
 /// Bond stiffness that makes each cell, however distorted, as stiff as its volume of the continuum (B6;
 /// docs/numerics.md).
@@ -25,14 +25,8 @@ struct CornerPair {
 /// All pairs of corners, by a, then b.
 extern const std::array<CornerPair, kPairsPerCell> kCornerPairs;
 
-using CornerPositions = std::array<Vec3, 8>;
-
-CornerPositions cornerPositions(const std::vector<Vec3>& nodes, const sim::CellCorners& cell);
-
-/// Exact volume of the trilinear hexahedron, cm^3; negative where it is turned inside out.
-double cellVolume(const CornerPositions& corners);
-
-/// Which pairs carry a bond, one bit a pair. `odd` tells the cells of a checkerboard apart: Fig. 2 joins the
+/// Which pairs carry a bond, one bit a pair. `odd` tells the cells of a checkerboard apart
+/// (checkerboard.h): Fig. 2 joins the
 /// corners of even parity in one half of them and the others in the other half, so that cells that share a
 /// face have the same diagonal on it. The other patterns don't care.
 std::uint32_t patternPairs(BondPattern pattern, bool odd);
@@ -46,29 +40,36 @@ using PairStiffness = std::array<double, kPairsPerCell>;
 /// right E.
 PairStiffness startStiffness(const CornerPositions& corners, BondPattern pattern, bool odd);
 
-/// The fit for one cell of positive volume. At least kSmallestShare of the start value everywhere.
+/// The fit for one cell of positive volume: of all stiffnesses that are at least kSmallestShare of the start
+/// value, the one with the least sum of
+/// - the squared relative changes from the start values,
+/// - kModulusWeight times the squared misfit of the 15 equations sum k L^2 n n n n = 0.4 E V (dd + dd + dd),
+/// which
+///   say that the cell as a whole has the elastic constants of the continuum,
+/// - kPatchWeight times the squared misfit of the forces on the corners under uniform strain: what they would
+/// be
+///   in a body under uniform stress (patch test of finite elements). What bonds of a regular cell do to the
+///   one motion of the corners that alternates from each to the next is left out: neighbours cancel it.
+/// Patterns of fewer than 28 bonds can't satisfy the equations in a distorted cell, and get a smaller weight
+/// and a last scaling of all bonds, such that E is right on average over all directions.
 PairStiffness fitCell(const CornerPositions& corners, BondPattern pattern, bool odd);
 inline constexpr double kSmallestShare = 0.05;
 
-/// Congruent cells (all 28 lengths equal to kCongruence of the cell's size) share one shape, so that they get
-/// the same bits: those of the first of them.
-inline constexpr double kCongruence = 1e-9;
-
-struct BondFit {
-  std::vector<PairStiffness> shapes;
-  std::vector<std::uint32_t> shapeOfCell;
-
-  const PairStiffness& ofCell(std::size_t cell) const { return shapes[shapeOfCell[cell]]; }
+struct CellShape {
+  PairStiffness stiffness{};  ///< cm
+  double volume = 0.0;        ///< cm^3
 };
 
-/// Fits every cell. `odd` has one entry a cell (checkerboard()), or is empty where the pattern doesn't care.
-/// Cells must have positive volume. Runs on all threads; the result doesn't depend on how many.
-BondFit fitBonds(const std::vector<CornerPositions>& cells, BondPattern pattern,
-                 const std::vector<std::uint8_t>& odd);
+struct BondFit {
+  std::vector<CellShape> shapes;
+  std::vector<std::uint32_t> shapeOfCell;
 
-/// Two-colours the nodes along the cells' edges and tells for each cell whether its corner 0 is of the second
-/// colour. Where a ring of an odd number of cells allows no two-colouring, the cells along one seam disagree
-/// with their neighbours and the seam's faces get both diagonals.
-std::vector<std::uint8_t> checkerboard(const std::vector<sim::CellCorners>& cells, std::size_t nodeCount);
+  const CellShape& ofCell(std::size_t cell) const { return shapes[shapeOfCell[cell]]; }
+};
+
+/// Fits every cell; all must have positive volume. Congruent cells (congruence.h) share one shape and so the
+/// same bits. Runs on all threads; the result doesn't depend on how many.
+BondFit fitBonds(const std::vector<Vec3>& nodes, const std::vector<sim::CellCorners>& cells,
+                 BondPattern pattern);
 
 }  // namespace modeling
