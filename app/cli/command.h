@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include "sim/base/result.h"
 
 namespace CLI {

@@ -29,6 +29,8 @@ struct BezierPatchShape {
   double thickness = 0.4;  ///< cm, > 0; where the net bends more sharply, the solid would fold: a Problem
   PatchSide side = PatchSide::centred;
   Resolution resolution;
+
+  bool operator==(const BezierPatchShape&) const = default;
 };
 
 sim::Result<Lattice> build(const BezierPatchShape& shape);

@@ -47,6 +47,8 @@ struct CurvedCylinderShape {
   double startAngle = 0.0;                    ///< rad; arc only
   double endAngle = std::numbers::pi;         ///< rad; arc only, startAngle < endAngle < startAngle + 2 pi
   Resolution resolution;
+
+  bool operator==(const CurvedCylinderShape&) const = default;
 };
 
 sim::Result<Lattice> build(const CurvedCylinderShape& shape);

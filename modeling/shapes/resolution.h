@@ -12,6 +12,8 @@ namespace modeling {
 struct Resolution {
   double cellSize = 0.5;                       ///< cm, > 0; read only where a count is missing
   std::array<std::optional<int>, 3> counts{};  ///< cells along u, v, w; each >= 1
+
+  bool operator==(const Resolution&) const = default;
 };
 
 /// More nodes than this are refused: at 800 bytes a node it is 4 GB, and almost always a slip of the decimal

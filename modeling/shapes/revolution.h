@@ -38,6 +38,8 @@ struct RevolutionShape {
   double startAngle = 0.0;                    ///< rad, from x towards y
   double turnAngle = 2.0 * std::numbers::pi;  ///< rad, 0 < angle <= 2 pi
   Resolution resolution;
+
+  bool operator==(const RevolutionShape&) const = default;
 };
 
 sim::Result<Lattice> build(const RevolutionShape& shape);

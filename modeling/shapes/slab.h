@@ -11,6 +11,8 @@ namespace modeling {
 struct SlabShape {
   Vec3 size = Vec3(10.0, 10.0, 1.0);  ///< cm, each > 0
   Resolution resolution;
+
+  bool operator==(const SlabShape&) const = default;
 };
 
 sim::Result<Lattice> build(const SlabShape& shape);

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "modeling/scene/json_fields.h"
+#include "modeling/scene/scene.h"
+
+/// The names that choices have in a scene file.
+namespace modeling {
+
+/// Names from `Derived::kTable`, an array of pairs of name and value.
+template <class Derived, class T>
+struct NameTable {
+  static std::vector<std::string> names() {
+    std::vector<std::string> result;
+    for (const auto& [name, value] : Derived::kTable) result.emplace_back(name);
+    return result;
+  }
+  static std::optional<T> find(std::string_view wanted) {
+    for (const auto& [name, value] : Derived::kTable) {
+      if (name == wanted) return value;
+    }
+    return std::nullopt;
+  }
+  static std::string_view nameOf(T wanted) {
+    const auto entry = std::find_if(Derived::kTable.begin(), Derived::kTable.end(),
+                                    [wanted](const auto& row) { return row.second == wanted; });
+    return entry->first;
+  }
+};
+
+template <class T>
+using NameRow = std::pair<std::string_view, T>;
+
+template <>
+struct EnumNames<PatchSide> : NameTable<EnumNames<PatchSide>, PatchSide> {
+  static constexpr std::array<NameRow<PatchSide>, 3> kTable{
+      {{"centred", PatchSide::centred}, {"outside", PatchSide::outside}, {"inside", PatchSide::inside}}};
+};
+
+template <>
+struct EnumNames<SweepSection> : NameTable<EnumNames<SweepSection>, SweepSection> {
+  static constexpr std::array<NameRow<SweepSection>, 4> kTable{{{"disc", SweepSection::disc},
+                                                                {"rectangle", SweepSection::rectangle},
+                                                                {"ring", SweepSection::ring},
+                                                                {"arc", SweepSection::arc}}};
+};
+
+template <>
+struct EnumNames<ProfileCorrespondence> : NameTable<EnumNames<ProfileCorrespondence>, ProfileCorrespondence> {
+  static constexpr std::array<NameRow<ProfileCorrespondence>, 2> kTable{
+      {{"arcLength", ProfileCorrespondence::arcLength}, {"segments", ProfileCorrespondence::segments}}};
+};
+
+template <>
+struct EnumNames<NetworkFormat> : NameTable<EnumNames<NetworkFormat>, NetworkFormat> {
+  static constexpr std::array<NameRow<NetworkFormat>, 1> kTable{{{"lammps", NetworkFormat::lammps}}};
+};
+
+template <>
+struct EnumNames<sim::Interpolation> : NameTable<EnumNames<sim::Interpolation>, sim::Interpolation> {
+  static constexpr std::array<NameRow<sim::Interpolation>, 3> kTable{
+      {{"step", sim::Interpolation::step},
+       {"linear", sim::Interpolation::linear},
+       {"smooth", sim::Interpolation::smooth}}};
+};
+
+template <>
+struct EnumNames<sim::ContactLength> : NameTable<EnumNames<sim::ContactLength>, sim::ContactLength> {
+  static constexpr std::array<NameRow<sim::ContactLength>, 2> kTable{
+      {{"nearest", sim::ContactLength::nearest}, {"sum", sim::ContactLength::sum}}};
+};
+
+template <>
+struct EnumNames<sim::Method> {
+  static std::vector<std::string> names() { return sim::methodNames(); }
+  static std::optional<sim::Method> find(std::string_view name) { return sim::methodFromName(name); }
+  static std::string_view nameOf(sim::Method method) { return sim::nameOf(method); }
+};
+
+template <>
+struct EnumNames<BondPattern> {
+  static std::vector<std::string> names() { return bondPatternNames(); }
+  static std::optional<BondPattern> find(std::string_view name) { return bondPatternFromName(name); }
+  static std::string_view nameOf(BondPattern pattern) { return modeling::nameOf(pattern); }
+};
+
+template <>
+struct VariantNames<PartShape> {
+  static constexpr std::string_view kTag = "kind";
+  static constexpr std::array<std::string_view, 5> kNames{"slab", "patch", "revolution", "curvedCylinder",
+                                                          "network"};
+};
+
+template <>
+struct VariantNames<ColliderForm> {
+  static constexpr std::string_view kTag = "kind";
+  static constexpr std::array<std::string_view, 4> kNames{"floor", "box", "sphere", "cylinder"};
+};
+
+}  // namespace modeling
