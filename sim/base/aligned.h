@@ -1,0 +1,13 @@
+#pragma once
+
+#include <tbb/cache_aligned_allocator.h>
+
+#include <vector>
+
+namespace sim {
+
+/// A vector whose data begins on a cache line, as wide loads like it.
+template <class Value>
+using AlignedVector = std::vector<Value, tbb::cache_aligned_allocator<Value>>;
+
+}  // namespace sim

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/dynamics/motion.h"
+
+namespace sim {
+
+/// Space cut into cubes, kept in a hash table (paper, "Collision detection"; P12). Each cube is tagged with the fragment its
+/// nodes belong to, or as mixed, so that cubes of one fragment only are never compared. Cost linear in nodes.
+class HashGrid {
+ public:
+  /// Sorts the nodes into cubes of the given edge (cm). `fragmentOfNode` gives the tags.
+  void build(const NodeVectors& positions, std::span<const FragmentId> fragmentOfNode, double edge);
+
+  /// Calls visit(i, j), i != j, once for each unordered pair of nodes in the same or touching cubes, unless both cubes hold one
+  /// and the same fragment only and `withinFragments` is false.
+  template <class Visit>
+  void forEachNearPair(bool withinFragments, Visit&& visit) const {
+    for (std::uint32_t c = 0; c < cubes_.size(); ++c) {
+      const Cube& cube = cubes_[c];
+      if (withinFragments || cube.tag == kMixed) {
+        for (std::uint32_t i = cube.first; i < cube.last; ++i) {
+          for (std::uint32_t j = i + 1; j < cube.last; ++j) visit(nodes_[i], nodes_[j]);
+        }
+      }
+      for (const auto& step : kForward) {
+        const std::uint32_t other = find({cube.at[0] + step[0], cube.at[1] + step[1], cube.at[2] + step[2]});
+        if (other == kNone) continue;
+        const Cube& there = cubes_[other];
+        if (!withinFragments && cube.tag == there.tag && cube.tag != kMixed) continue;
+        for (std::uint32_t i = cube.first; i < cube.last; ++i) {
+          for (std::uint32_t j = there.first; j < there.last; ++j) visit(nodes_[i], nodes_[j]);
+        }
+      }
+    }
+  }
+
+  std::size_t cubeCount() const { return cubes_.size(); }
+  std::size_t memoryBytes() const;
+
+ private:
+  using Place = std::array<std::int64_t, 3>;
+  struct Cube {
+    Place at;
+    FragmentId tag;
+    std::uint32_t first = 0;  ///< nodes_[first, last)
+    std::uint32_t last = 0;
+  };
+  static constexpr FragmentId kMixed = kNone;
+  /// Half of the 26 neighbours; the other half sees this cube as theirs.
+  static constexpr std::array<std::array<std::int64_t, 3>, 13> kForward{{{1, 0, 0},
+                                                                         {-1, 1, 0},
+                                                                         {0, 1, 0},
+                                                                         {1, 1, 0},
+                                                                         {-1, -1, 1},
+                                                                         {0, -1, 1},
+                                                                         {1, -1, 1},
+                                                                         {-1, 0, 1},
+                                                                         {0, 0, 1},
+                                                                         {1, 0, 1},
+                                                                         {-1, 1, 1},
+                                                                         {0, 1, 1},
+                                                                         {1, 1, 1}}};
+
+  std::uint32_t find(const Place& at) const;
+  std::uint32_t findOrAdd(const Place& at, FragmentId tag);
+
+  std::vector<std::uint32_t> table_;  ///< open addressing; indices of cubes_, kNone where free
+  std::vector<Cube> cubes_;           ///< in order of their first node
+  std::vector<NodeIndex> nodes_;
+  std::vector<std::uint32_t> cubeOfNode_;
+};
+
+}  // namespace sim

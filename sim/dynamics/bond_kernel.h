@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// The inner loop: forces of intact bonds, and the step of the nodes they pull. This header and the kernels include
+/// nothing of Eigen or the standard containers: the kernels are compiled for several instruction sets, and an inline
+/// function shared with the rest of the program could be linked in the wrong one.
+namespace sim {
+
+/// Nodes are worked on in blocks of sixteen consecutive ones (SELL-16), which fills two AVX-512 vectors of doubles.
+inline constexpr std::size_t kBlockNodes = 16;
+
+/// Lane constants of a slot whose bonds differ.
+struct SlotLanes {
+  double stiffness[kBlockNodes];   ///< dyn/cm
+  double restLength[kBlockNodes];  ///< cm; flows in plastic materials
+  double damping[kBlockNodes];     ///< g/s
+};
+
+/// One direction of a block: at most one bond of each of its nodes, to the node at `offset` behind it (contiguous) or
+/// named lane by lane (gathered). Every bond appears twice, once from each end, so that each node gathers the whole
+/// force on it in a fixed order and nothing is scattered.
+struct BondSlot {
+  std::int32_t offset = 0;     ///< of the neighbour's index, for contiguous slots
+  std::uint32_t lanes = 0;     ///< index of SlotLanes, for varied slots
+  std::uint32_t gather = 0;    ///< index of the sixteen neighbour indices, for gathered slots
+  float thresholdFloor = 0.0F; ///< the smallest threshold among the lanes, infinite where nothing here can break
+  std::uint16_t live = 0;      ///< bit a lane: its bond is there and whole
+  std::uint8_t material = 0;
+  bool gathered = false;
+  bool varied = false;
+  bool plastic = false;
+  bool tested = false;  ///< this end of the bonds tests them for breaking (the other end need not)
+  double stiffness = 0.0;   ///< of all lanes unless varied
+  double restLength = 0.0;
+  double damping = 0.0;
+};
+
+/// How the present moment changes a material.
+struct MaterialNow {
+  double stiffnessScale = 1.0;
+  double dampingScale = 1.0;
+  double yieldStrain = 0.0;
+  double flow = 0.0;  ///< share of the excess strain that flows in this step, at most 1
+};
+
+struct NodeArrays {
+  const double* position[3];
+  const double* velocity[3];
+};
+
+/// One step of the blocks [firstBlock, lastBlock): a = gravity + force / m; v' = v + kick a; x' = x + drift w, where w is v'
+/// (Verlet, symplectic Euler) or v (forward Euler as the paper prints it).
+struct KernelStep {
+  const BondSlot* slots;
+  const std::uint32_t* firstSlot;  ///< a block's slots are [firstSlot[b], firstSlot[b] + slotCount[b])
+  const std::uint16_t* slotCount;
+  SlotLanes* lanes;
+  const std::uint32_t* gathers;  ///< sixteen neighbour indices each
+
+  NodeArrays now;
+  double* nextPosition[3];
+  double* nextVelocity[3];
+  const double* inverseMass;         ///< 1/g; zero for held nodes and padding
+  const double* external[3];         ///< dyn, of contacts and colliders
+  const double* externalLossy[3];    ///< the part of `external` that is not conservative
+  const std::uint8_t* hasExternal;   ///< one byte a block
+
+  double gravity[3];
+  double kick = 0.0;   ///< s
+  double drift = 0.0;  ///< s
+  bool driftByOldVelocity = false;
+  bool flowing = false;  ///< let rest lengths flow in this pass
+  const MaterialNow* materials;
+};
+
+/// What a block reports of a step.
+struct BlockReport {
+  double largestSpeedSquared = 0.0;  ///< cm^2/s^2 of v'; not finite when something blew up
+  double dissipated = 0.0;           ///< erg: work against dampers, friction and plastic flow
+  bool suspect = false;              ///< some bond is stretched past the smallest threshold of its slot
+};
+
+using StepBlocks = void (*)(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
+
+/// Kernels: the same source compiled for plain x86-64 (or any processor), AVX2 and AVX-512. All round identically, so all
+/// give the same bits.
+enum class KernelKind { automatic, plain, avx2, avx512 };
+
+/// The kernel of that kind, or null where this build or this processor has none. automatic: the fastest there is.
+StepBlocks stepBlocksFor(KernelKind kind);
+const char* nameOfKernel(KernelKind kind);
+/// What `automatic` stands for here.
+KernelKind fastestKernel();
+
+namespace kernel_plain {
+void stepBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
+}
+namespace kernel_avx2 {
+void stepBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
+}
+namespace kernel_avx512 {
+void stepBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
+}
+
+}  // namespace sim

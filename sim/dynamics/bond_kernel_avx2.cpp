@@ -1,0 +1,2 @@
+#define SMITHEREENS_KERNEL kernel_avx2
+#include "sim/dynamics/bond_kernel_body.h"

@@ -1,0 +1,2 @@
+#define SMITHEREENS_KERNEL kernel_avx512
+#include "sim/dynamics/bond_kernel_body.h"

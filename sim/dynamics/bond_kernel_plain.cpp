@@ -1,0 +1,2 @@
+#define SMITHEREENS_KERNEL kernel_plain
+#include "sim/dynamics/bond_kernel_body.h"

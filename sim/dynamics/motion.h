@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+
+#include "sim/base/aligned.h"
+#include "sim/base/types.h"
+#include "sim/dynamics/bond_kernel.h"
+
+namespace sim {
+
+/// A vector a node, one array a coordinate, padded on both sides: the kernel reads whole blocks at a neighbour's offset,
+/// so up to fifteen nodes before the first and behind the last. Padding is zero.
+class NodeVectors {
+ public:
+  NodeVectors() = default;
+  explicit NodeVectors(std::size_t nodeCount) : nodeCount_(nodeCount) {
+    for (auto& array : arrays_) array.assign(paddedCount(nodeCount) + 2 * kBlockNodes, 0.0);
+  }
+
+  static std::size_t paddedCount(std::size_t nodeCount) {
+    return (nodeCount + kBlockNodes - 1) / kBlockNodes * kBlockNodes;
+  }
+
+  std::size_t size() const { return nodeCount_; }
+  double* axis(std::size_t k) { return arrays_[k].data() + kBlockNodes; }
+  const double* axis(std::size_t k) const { return arrays_[k].data() + kBlockNodes; }
+
+  Vec3 get(std::size_t node) const { return {axis(0)[node], axis(1)[node], axis(2)[node]}; }
+  void set(std::size_t node, const Vec3& value) {
+    for (std::size_t k = 0; k < 3; ++k) axis(k)[node] = value[static_cast<Eigen::Index>(k)];
+  }
+  void add(std::size_t node, const Vec3& value) {
+    for (std::size_t k = 0; k < 3; ++k) axis(k)[node] += value[static_cast<Eigen::Index>(k)];
+  }
+  std::size_t memoryBytes() const { return 3 * arrays_[0].capacity() * sizeof(double); }
+
+ private:
+  std::size_t nodeCount_ = 0;
+  std::array<AlignedVector<double>, 3> arrays_;
+};
+
+/// Positions at one time and velocities, which for velocity Verlet are half a step behind (leapfrog; see Stepper).
+struct Motion {
+  NodeVectors position;
+  NodeVectors velocity;
+};
+
+}  // namespace sim
