@@ -1,11 +1,11 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/base/bytes.h"
 #include "sim/contact/hash_grid.h"
-#include "sim/dynamics/bond_layout.h"
 #include "sim/dynamics/settings.h"
 #include "sim/fracture/breakage.h"
 #include "sim/fracture/components.h"
@@ -26,10 +26,11 @@ struct MovingCollider {
 /// Contact of two nodes (P9, docs/numerics.md): force max(0, k (rho - x) - d v_n) along the line between them, rho at most the
 /// natural length; a pair that becomes eligible closer than that starts with rho its present distance, and rho grows only
 /// while the two are apart, so that switching a contact on never adds energy. A pair whose bond broke repels by that bond's
-/// own k and l until it was once apart, then contact takes over if they are in different fragments (P4).
+/// own k and l until it was once apart; then contact takes over if they are in different fragments (P4).
 /// Friction (P10) opposes sliding by friction * k * intrusion, and never reverses it within a step.
 ///
 /// Pairs stand in rows, one row a touched node, both ways round: each node gathers its own force in a fixed order.
+/// The rows cover all that can touch until something has moved by a skin's width; then stale() asks for rebuild().
 class Contacts {
  public:
   Contacts(const Network& network, const ContactSettings& settings);
@@ -37,119 +38,137 @@ class Contacts {
   /// Everything forces depend on at one moment.
   struct Moment {
     const Motion& motion;
-    const NodeVectors& velocityNow;
     std::span<const MovingCollider> colliders;
     std::span<const MaterialNow> materials;
-    double step;  ///< s, for the clamp of friction
+    double step = 0.0;  ///< s, for the clamp of friction
   };
 
-  /// A bond just broke at this length: it goes on repelling.
+  /// A bond broke at this rest length: it goes on repelling.
   void addBroken(BondIndex bond, double restLength);
-
-  /// True when the rows no longer cover all that may touch: something moved too far, or fragments were born.
-  bool stale() const { return stale_; }
-  /// Tells how far anything can have moved in a step (largest speed times step), and lets list age.
-  void noteTravel(const Motion& motion, double travel, double colliderTravel);
-  /// Fragments were born: the rows must be rebuilt soon, but a burst of breaks may share one rebuild.
+  /// Fragments were born: new pairs may touch. A burst of breaks shares one rebuild a few steps later.
   void noteBirths();
+  /// Ages the rows by one step in which no node moved further than `travel` and no collider further than `colliderTravel` (cm).
+  void age(const Motion& motion, double travel, double colliderTravel);
+  bool stale() const { return stale_; }
+  void rebuild(const Motion& motion, const Components& components, const Breakage& breakage, std::span<const MovingCollider> colliders);
 
-  /// Rebuilds the rows.
-  void rebuild(const Motion& motion, const Components& components, std::span<const MovingCollider> colliders);
-
-  /// True when no row can push: nothing to do this step.
+  /// No row can push: nothing to do this step.
   bool quiet() const { return rows_.empty() && fresh_.empty(); }
 
-  /// Forces of all rows on their nodes into `force` (dyn), the lossy part also into `lossy`. Sets touchedBlocks[b] for blocks
-  /// of touched nodes (and zeroes those blocks' forces first). Returns work done by moving colliders and energy dissipated
-  /// relative to them in this step.
-  struct StepWork {
-    double outside = 0.0;     ///< erg, done on the network by colliders that move
-    double dissipated = 0.0;  ///< erg, correction of the kernel's account for moving colliders
+  struct Forces {
+    NodeVectors total;  ///< dyn
+    NodeVectors lossy;  ///< the part that is not conservative: contact damping and friction, dyn
+    std::vector<std::uint8_t> touched;  ///< one byte a block of nodes: forces there are set, elsewhere undefined
   };
-  StepWork addForces(const Moment& moment, NodeVectors& force, NodeVectors& lossy, std::vector<std::uint8_t>& touchedBlocks);
+  /// What colliders that move did in a step, which the nodes' own account (force times velocity) cannot tell.
+  struct ColliderWork {
+    double outside = 0.0;     ///< erg, done on the network
+    double dissipated = 0.0;  ///< erg, to be added to the nodes' account
+  };
+  /// Sets the forces of this moment. Call only where !quiet(), else clear().
+  ColliderWork computeForces(const Moment& moment, Forces& forces);
+  static void clear(Forces& forces);
 
   /// Energy in compressed contacts, colliders and broken bonds, erg.
-  double energy(const Motion& motion, std::span<const MovingCollider> colliders, std::span<const MaterialNow> materials) const;
+  double energy(const Moment& moment) const;
 
-  /// The largest sum over a node's rows of (2 k_pair + k_collider) / m, 1/s^2, for the stable step, and the matching damping.
+  /// What the stable step must know (docs/numerics.md).
   struct Stiffest {
-    double rateSquared = 0.0;  ///< 1/s^2
-    double damping = 0.0;      ///< 1/s
+    double rateSquared = 0.0;  ///< largest over nodes of the sum of (2 k_pair + k_collider) / m, 1/s^2
+    double damping = 0.0;      ///< likewise of 2 d / m, 1/s
   };
-  Stiffest stiffest(std::span<const MovingCollider> colliders, std::span<const MaterialNow> materials) const;
+  Stiffest stiffest(const Moment& moment) const;
 
   std::size_t pairCount() const { return entries_.size() / 2 + fresh_.size(); }
   std::uint64_t rebuilds() const { return rebuilds_; }
 
   void save(ByteWriter& writer) const;
-  bool load(ByteReader& reader);
+  bool load(ByteReader& reader, std::size_t colliderCount);
   std::size_t memoryBytes() const;
 
  private:
   /// One direction of a pair.
   struct Entry {
-    NodeIndex other;
-    float natural;        ///< cm: rho grows no further
-    double rho;           ///< cm: present natural length; rest length for a broken bond
-    double stiffness;     ///< dyn/cm
-    BondIndex brokenBond; ///< kNone for a contact
-    bool apart;           ///< a broken bond that was once longer than its rest length
+    NodeIndex other = kNone;
+    BondIndex brokenBond = kNone;  ///< kNone for a contact
+    double natural = 0.0;          ///< cm: rho grows no further
+    double rho = 0.0;              ///< cm: present natural length; rest length of a broken bond
+    double stiffness = 0.0;        ///< dyn/cm
+    double damping = 0.0;          ///< g/s
+    std::uint64_t apart = 0;       ///< a broken bond was once longer than its rest length
   };
   struct Row {
-    NodeIndex node;
-    std::uint32_t first, last;          ///< entries_
-    std::uint32_t firstCollider, lastCollider;  ///< nearColliders_
-    std::uint32_t active = 0;           ///< entries pushing in this step, which share the node's mass in the clamp of friction
+    NodeIndex node = kNone;
+    std::uint32_t firstEntry = 0, lastEntry = 0;
+    std::uint32_t firstCollider = 0, lastCollider = 0;  ///< of nearColliders_
+    std::uint32_t active = 0;  ///< pushes in this step, among which friction shares the node's mass
   };
-  /// A bond that broke. It is in the rows (or fresh) while near; afterwards its pair is contact's.
+  /// A bond that broke and still repels by itself.
   struct BrokenPair {
-    BondIndex bond;
-    NodeIndex a, b;
-    double restLength;
-    double stiffness;
-    bool apart;
+    BondIndex bond = kNone;
+    NodeIndex a = kNone;
+    NodeIndex b = kNone;
+    std::uint32_t apart = 0;
+    double restLength = 0.0;
+  };
+  struct Candidate {
+    NodeIndex i, j;
+    Entry entry;
+  };
+  struct NearCollider {
+    NodeIndex node;
+    std::uint32_t collider;
   };
   struct Push {
-    Vec3 force = Vec3::Zero();
+    Vec3 total = Vec3::Zero();
     Vec3 lossy = Vec3::Zero();
   };
 
-  double contactStiffness(NodeIndex i, NodeIndex j) const;
-  double nodeShare(NodeIndex node) const;
-  double materialScale(NodeIndex i, NodeIndex j, std::span<const MaterialNow> materials) const;
-  bool activate(Row& row, const NodeVectors& positions);
-  Push pairPush(NodeIndex node, const Entry& entry, const Moment& moment, double share) const;
-  Push colliderPush(NodeIndex node, const MovingCollider& collider, const Moment& moment, double share, StepWork& work) const;
-  void pushRow(const Row& row, const Moment& moment, NodeVectors& force, NodeVectors& lossy, StepWork& work) const;
-  double colliderStiffness(NodeIndex node, const MovingCollider& collider, std::span<const MaterialNow> materials) const;
-
-  struct Candidate;
-  void collectPairs(const Motion& motion, const Components& components, std::vector<Candidate>& pairs);
-  void collectBroken(const Motion& motion, const Components& components, std::vector<Candidate>& pairs);
-  void collectColliders(const Motion& motion, std::span<const MovingCollider> colliders, std::vector<std::pair<NodeIndex, std::uint32_t>>& near) const;
-  void fillRows(std::vector<Candidate>& pairs, std::vector<std::pair<NodeIndex, std::uint32_t>>& near);
-  bool contactMayTouch(NodeIndex i, NodeIndex j, const Components& components) const;
+  // Rebuilding (contact_rows.cpp).
   double naturalLength(NodeIndex i, NodeIndex j) const;
+  double pairDamping(NodeIndex i, NodeIndex j, double stiffness) const;
+  bool mayTouch(NodeIndex i, NodeIndex j, const Components& components, const Breakage& breakage) const;
+  const Entry* oldEntry(NodeIndex i, NodeIndex j) const;
+  void rememberApart();
+  void collectBroken(const Motion& motion, const Components& components, std::vector<Candidate>& pairs);
+  void collectContacts(const Motion& motion, const Components& components, const Breakage& breakage, std::vector<Candidate>& pairs);
+  std::vector<NearCollider> collectColliders(const Motion& motion, std::span<const MovingCollider> colliders) const;
+  void fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near);
+  const BrokenPair* findBroken(BondIndex bond) const;
+  Entry brokenEntry(const BrokenPair& pair) const;
+
+  // Forces (contact_forces.cpp).
+  double pairScale(const Entry& entry, NodeIndex node, std::span<const MaterialNow> materials) const;
+  double massShare(NodeIndex node) const;
+  void activate(Row& row, const Moment& moment);
+  Push pairPush(const Row& row, const Entry& entry, const Moment& moment) const;
+  Push colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment, ColliderWork& work) const;
+  ColliderWork pushRow(const Row& row, const Moment& moment, Forces& forces) const;
+  void pushFresh(const Moment& moment, Forces& forces);
+  double colliderStiffness(NodeIndex node, const Collider& collider, std::span<const MaterialNow> materials) const;
 
   const Network* network_;
   ContactSettings settings_;
   std::vector<float> nodeStiffness_;  ///< the weakest bond of each node: contact is never stiffer (P16), dyn/cm
   double largestNatural_ = 0.0;
-  double pairSkin_ = 0.0;
-  double colliderSkin_ = 0.0;
+  double pairSkin_ = 0.0;      ///< cm beyond the natural length that the rows cover
+  double colliderSkin_ = 0.0;  ///< cm outside colliders that the rows cover
 
   HashGrid grid_;
-  std::vector<Row> rows_;
+  std::vector<Row> rows_;  ///< by node
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> nearColliders_;
-  std::vector<std::uint32_t> rowOfNode_;
-  std::vector<BrokenPair> broken_;  ///< sorted by bond, but for the fresh ones at the end
-  std::vector<std::uint32_t> fresh_;  ///< indices of broken_ that no row holds yet
-  NodeVectors reference_;  ///< positions at the last rebuild
+  std::vector<std::uint32_t> rowOfNode_;  ///< kNone where a node has none
+  std::vector<ColliderWork> rowWork_;
+  std::vector<BrokenPair> broken_;  ///< by bond
+  std::vector<BrokenPair> fresh_;   ///< broken since the last rebuild, in order of breaking
+  NodeVectors reference_;           ///< positions at the last rebuild
+  bool severalFragments_ = false;
+  bool hasColliders_ = false;
   bool stale_ = true;
-  double travel_ = 0.0;
+  double slack_ = 0.0;  ///< cm that may yet be travelled before the displacements must be looked at
   double colliderTravel_ = 0.0;
-  int stepsToRebuild_ = -1;
+  std::uint32_t stepsToRebuild_ = 0;  ///< counts down after births; 0: no rebuild is due
   std::uint64_t rebuilds_ = 0;
 };
 

@@ -214,7 +214,7 @@ double BondLayout::restLength(const Network& network, BondIndex bond) const {
   return lanes_[place.slot->lanes].restLength[place.lane];
 }
 
-void BondLayout::describe(KernelStep& step) {
+void BondLayout::describe(KernelStep& step) const {
   step.slots = slots_.data();
   step.firstSlot = firstSlot_.data();
   step.slotCount = slotCount_.data();

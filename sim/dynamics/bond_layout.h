@@ -37,7 +37,7 @@ class BondLayout {
   }
 
   /// Points a kernel step at the slots.
-  void describe(KernelStep& step);
+  void describe(KernelStep& step) const;
 
   /// All plastic rest lengths, for checkpoints.
   std::vector<double> plasticRestLengths() const;
@@ -61,7 +61,7 @@ class BondLayout {
   mutable AlignedVector<BondSlot> slots_;
   std::vector<std::uint32_t> firstSlot_;
   std::vector<std::uint16_t> slotCount_;
-  AlignedVector<SlotLanes> lanes_;
+  mutable AlignedVector<SlotLanes> lanes_;
   std::vector<std::uint32_t> gathers_;
   bool hasPlastic_ = false;
 };

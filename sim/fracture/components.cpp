@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace sim {
@@ -154,6 +156,36 @@ void Components::restore(std::vector<FragmentId> fragmentOfNode, std::vector<Fra
 
 std::size_t Components::memoryBytes() const {
   return (fragmentOfNode_.capacity() + searchOfNode_.capacity()) * sizeof(std::uint32_t) + births_.capacity() * sizeof(FragmentBirth);
+}
+
+std::vector<Fragment> describeFragments(const Network& network, const Components& components, const Snapshot& snapshot) {
+  std::vector<Fragment> fragments(components.births().size());
+  const double far = std::numeric_limits<double>::max();
+  for (FragmentId id = 0; id < fragments.size(); ++id) {
+    const FragmentBirth& birth = components.births()[id];
+    fragments[id] = {id, birth.parent, birth.born, birth.nodeCount, 0.0, Vec3::Zero(), Vec3::Zero(), Vec3::Constant(far),
+                     Vec3::Constant(-far), FragmentState::deforming};
+  }
+  for (std::size_t node = 0; node < network.nodeCount(); ++node) {
+    Fragment& fragment = fragments[components.fragmentOfNode()[node]];
+    const Vec3& position = snapshot.positions[node];
+    fragment.boxMin = fragment.boxMin.cwiseMin(position);
+    fragment.boxMax = fragment.boxMax.cwiseMax(position);
+    const double mass = network.masses[node];
+    if (!std::isfinite(mass)) continue;
+    fragment.mass += mass;
+    fragment.centre += mass * position;
+    fragment.velocity += mass * snapshot.velocities[node];
+  }
+  for (Fragment& fragment : fragments) {
+    if (fragment.mass > 0.0) {
+      fragment.centre /= fragment.mass;
+      fragment.velocity /= fragment.mass;
+    } else {
+      fragment.centre = 0.5 * (fragment.boxMin + fragment.boxMax);
+    }
+  }
+  return fragments;
 }
 
 }  // namespace sim

@@ -47,4 +47,8 @@ class Components {
   std::uint64_t relabelings_ = 0;
 };
 
+/// The living fragments by id, with mass, centre and box of the snapshot's positions and velocities. Held nodes count in
+/// nothing but the box.
+std::vector<Fragment> describeFragments(const Network& network, const Components& components, const Snapshot& snapshot);
+
 }  // namespace sim

@@ -1,0 +1,293 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/contact/contacts.h"
+
+namespace sim {
+namespace {
+
+/// Skins relative to the largest natural length: wider ones mean fewer rebuilds and more pairs looked at in vain.
+constexpr double kPairSkinShare = 0.3;
+constexpr double kColliderSkinShare = 1.0;
+/// A burst of breaks is given this many steps before the rows are rebuilt. Pairs of new fragments are at least about a
+/// bond's length apart, and move far less than the skin in so few steps.
+constexpr std::uint32_t kStepsAfterBirth = 8;
+/// More broken pairs than this outside the rows cost more than a rebuild.
+constexpr std::size_t kMostFresh = 4096;
+/// Nodes of one fragment that were nearer than this, in natural lengths, when at rest are no self contact.
+constexpr double kSelfRestShare = 2.0;
+
+double distanceOf(const Motion& motion, NodeIndex i, NodeIndex j) {
+  return (motion.position.get(j) - motion.position.get(i)).norm();
+}
+
+}  // namespace
+
+Contacts::Contacts(const Network& network, const ContactSettings& settings)
+    : network_(&network), settings_(settings), nodeStiffness_(network.nodeCount(), std::numeric_limits<float>::max()) {
+  for (NodeIndex a = 0; a < network.nodeCount(); ++a) {
+    for (BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
+      const auto stiffness = static_cast<float>(network.bond(b).stiffness);
+      nodeStiffness_[a] = std::min(nodeStiffness_[a], stiffness);
+      nodeStiffness_[network.bondEnds[b]] = std::min(nodeStiffness_[network.bondEnds[b]], stiffness);
+    }
+  }
+  float largestRadius = 0.0F;
+  for (std::size_t node = 0; node < network.nodeCount(); ++node) {
+    if (nodeStiffness_[node] == std::numeric_limits<float>::max()) nodeStiffness_[node] = 0.0F;
+    largestRadius = std::max(largestRadius, network.radii[node]);
+  }
+  largestNatural_ = static_cast<double>(largestRadius) * (settings.length == ContactLength::sum ? 2.0 : 1.0);
+  pairSkin_ = kPairSkinShare * static_cast<double>(largestRadius);
+  colliderSkin_ = kColliderSkinShare * static_cast<double>(largestRadius);
+}
+
+double Contacts::naturalLength(NodeIndex i, NodeIndex j) const {
+  const double first = network_->radii[i];
+  const double second = network_->radii[j];
+  return settings_.length == ContactLength::sum ? first + second : std::min(first, second);
+}
+
+double Contacts::pairDamping(NodeIndex i, NodeIndex j, double stiffness) const {
+  const double reduced = 1.0 / (1.0 / network_->masses[i] + 1.0 / network_->masses[j]);
+  return std::isfinite(reduced) ? 2.0 * settings_.dampingRatio * std::sqrt(stiffness * reduced) : 0.0;
+}
+
+const Contacts::BrokenPair* Contacts::findBroken(BondIndex bond) const {
+  const auto found = std::lower_bound(broken_.begin(), broken_.end(), bond,
+                                      [](const BrokenPair& pair, BondIndex wanted) { return pair.bond < wanted; });
+  return found != broken_.end() && found->bond == bond ? &*found : nullptr;
+}
+
+void Contacts::addBroken(BondIndex bond, double restLength) {
+  fresh_.push_back({bond, network_->bondStart(bond), network_->bondEnds[bond], 0, restLength});
+  if (fresh_.size() > kMostFresh) stale_ = true;
+}
+
+void Contacts::noteBirths() {
+  if (stepsToRebuild_ == 0) stepsToRebuild_ = kStepsAfterBirth;
+}
+
+void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
+  if (stepsToRebuild_ > 0 && --stepsToRebuild_ == 0) stale_ = true;
+  if (stale_ || !(severalFragments_ || hasColliders_)) return;
+  colliderTravel_ += colliderTravel;
+  slack_ -= travel + colliderTravel;
+  if (slack_ > 0.0) return;
+
+  // The bound ran out: look how far nodes really are from where the rows were built, apart from what all have in common.
+  const std::size_t count = motion.position.size();
+  Vec3 shift = Vec3::Zero();
+  for (std::size_t node = 0; node < count; ++node) shift += motion.position.get(node) - reference_.get(node);
+  shift /= static_cast<double>(count);
+  double relative = 0.0;
+  double absolute = 0.0;
+  for (std::size_t node = 0; node < count; ++node) {
+    const Vec3 moved = motion.position.get(node) - reference_.get(node);
+    absolute = std::max(absolute, moved.squaredNorm());
+    relative = std::max(relative, (moved - shift).squaredNorm());
+  }
+  relative = std::sqrt(relative);
+  absolute = std::sqrt(absolute);
+  // The common shift may itself change by as much as a node moves: half the room that is left.
+  const double pairRoom = severalFragments_ ? 0.5 * (0.5 * pairSkin_ - relative) : std::numeric_limits<double>::max();
+  const double colliderRoom = hasColliders_ ? colliderSkin_ - absolute - colliderTravel_ : std::numeric_limits<double>::max();
+  slack_ = std::min(pairRoom, colliderRoom);
+  if (slack_ < 2.0 * travel) stale_ = true;
+}
+
+bool Contacts::mayTouch(NodeIndex i, NodeIndex j, const Components& components, const Breakage& breakage) const {
+  const bool same = components.of(i) == components.of(j);
+  if (same) {
+    if (!settings_.self) return false;
+    const double atRest = (network_->positions[j] - network_->positions[i]).norm();
+    if (atRest < kSelfRestShare * naturalLength(i, j)) return false;
+  } else if (!settings_.between) {
+    return false;
+  }
+  const BondIndex bond = network_->findBond(i, j);
+  return bond == kNone || (breakage.bondBroken(bond) && findBroken(bond) == nullptr);
+}
+
+const Contacts::Entry* Contacts::oldEntry(NodeIndex i, NodeIndex j) const {
+  if (rowOfNode_.empty() || rowOfNode_[i] == kNone) return nullptr;
+  const Row& row = rows_[rowOfNode_[i]];
+  for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
+    if (entries_[e].other == j && entries_[e].brokenBond == kNone) return &entries_[e];
+  }
+  return nullptr;
+}
+
+/// What the rows learnt of broken bonds goes back to the list, and the fresh ones join it.
+void Contacts::rememberApart() {
+  for (const Entry& entry : entries_) {
+    if (entry.brokenBond == kNone || entry.apart == 0) continue;
+    if (const BrokenPair* pair = findBroken(entry.brokenBond)) broken_[static_cast<std::size_t>(pair - broken_.data())].apart = 1;
+  }
+  broken_.insert(broken_.end(), fresh_.begin(), fresh_.end());
+  fresh_.clear();
+  std::sort(broken_.begin(), broken_.end(), [](const BrokenPair& left, const BrokenPair& right) { return left.bond < right.bond; });
+}
+
+Contacts::Entry Contacts::brokenEntry(const BrokenPair& pair) const {
+  const BondClass& bond = network_->bond(pair.bond);
+  return {kNone, pair.bond, pair.restLength, pair.restLength, bond.stiffness, bond.damping, pair.apart};
+}
+
+void Contacts::collectBroken(const Motion& motion, const Components& components, std::vector<Candidate>& pairs) {
+  std::erase_if(broken_, [&](BrokenPair& pair) {
+    if (distanceOf(motion, pair.a, pair.b) >= pair.restLength) pair.apart = 1;
+    return pair.apart != 0 && settings_.between && components.of(pair.a) != components.of(pair.b);
+  });
+  for (const BrokenPair& pair : broken_) {
+    if (distanceOf(motion, pair.a, pair.b) < pair.restLength + pairSkin_) pairs.push_back({pair.a, pair.b, brokenEntry(pair)});
+  }
+}
+
+void Contacts::collectContacts(const Motion& motion, const Components& components, const Breakage& breakage,
+                               std::vector<Candidate>& pairs) {
+  grid_.build(motion.position, components.fragmentOfNode(), largestNatural_ + pairSkin_);
+  grid_.forEachNearPair(settings_.self, [&](NodeIndex first, NodeIndex second) {
+    const NodeIndex i = std::min(first, second);
+    const NodeIndex j = std::max(first, second);
+    const double natural = naturalLength(i, j);
+    const double reach = natural + pairSkin_;
+    const double squared = (motion.position.get(j) - motion.position.get(i)).squaredNorm();
+    if (squared >= reach * reach || !mayTouch(i, j, components, breakage)) return;
+    const double stiffness = settings_.stiffnessScale * static_cast<double>(std::min(nodeStiffness_[i], nodeStiffness_[j]));
+    if (!(stiffness > 0.0)) return;
+    const Entry* old = oldEntry(i, j);
+    const double rho = old != nullptr ? old->rho : std::min(natural, std::sqrt(squared));
+    pairs.push_back({i, j, {kNone, kNone, natural, rho, stiffness, pairDamping(i, j, stiffness), 0}});
+  });
+}
+
+std::vector<Contacts::NearCollider> Contacts::collectColliders(const Motion& motion, std::span<const MovingCollider> colliders) const {
+  std::vector<NearCollider> near;
+  for (std::uint32_t c = 0; c < colliders.size(); ++c) {
+    for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {
+      if (intrusion(colliders[c].shape, motion.position.get(node)).depth > -colliderSkin_) near.push_back({node, c});
+    }
+  }
+  std::stable_sort(near.begin(), near.end(), [](const NearCollider& left, const NearCollider& right) { return left.node < right.node; });
+  return near;
+}
+
+void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near) {
+  struct Half {
+    NodeIndex node;
+    Entry entry;
+  };
+  std::vector<Half> halves;
+  halves.reserve(2 * pairs.size());
+  for (const Candidate& pair : pairs) {
+    halves.push_back({pair.i, pair.entry});
+    halves.back().entry.other = pair.j;
+    halves.push_back({pair.j, pair.entry});
+    halves.back().entry.other = pair.i;
+  }
+  std::sort(halves.begin(), halves.end(), [](const Half& left, const Half& right) {
+    return std::pair(left.node, left.entry.other) < std::pair(right.node, right.entry.other);
+  });
+  rows_.clear();
+  entries_.clear();
+  nearColliders_.clear();
+  rowOfNode_.assign(network_->nodeCount(), kNone);
+  for (std::size_t h = 0, c = 0; h < halves.size() || c < near.size();) {
+    const NodeIndex node = std::min(h < halves.size() ? halves[h].node : kNone, c < near.size() ? near[c].node : kNone);
+    Row row;
+    row.node = node;
+    row.firstEntry = static_cast<std::uint32_t>(entries_.size());
+    for (; h < halves.size() && halves[h].node == node; ++h) entries_.push_back(halves[h].entry);
+    row.lastEntry = static_cast<std::uint32_t>(entries_.size());
+    row.firstCollider = static_cast<std::uint32_t>(nearColliders_.size());
+    for (; c < near.size() && near[c].node == node; ++c) nearColliders_.push_back(near[c].collider);
+    row.lastCollider = static_cast<std::uint32_t>(nearColliders_.size());
+    rowOfNode_[node] = static_cast<std::uint32_t>(rows_.size());
+    rows_.push_back(row);
+  }
+}
+
+void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
+                       std::span<const MovingCollider> colliders) {
+  severalFragments_ = components.births().size() > 1 || settings_.self;
+  hasColliders_ = !colliders.empty();
+  rememberApart();
+  std::vector<Candidate> pairs;
+  collectBroken(motion, components, pairs);
+  if ((severalFragments_ && settings_.between) || settings_.self) collectContacts(motion, components, breakage, pairs);
+  fillRows(pairs, collectColliders(motion, colliders));
+  if (severalFragments_ || hasColliders_) reference_ = motion.position;
+  colliderTravel_ = 0.0;
+  slack_ = 0.0;
+  stepsToRebuild_ = 0;
+  stale_ = false;
+  ++rebuilds_;
+}
+
+void Contacts::save(ByteWriter& writer) const {
+  writer.putVector(rows_);
+  writer.putVector(entries_);
+  writer.putVector(nearColliders_);
+  writer.putVector(broken_);
+  writer.putVector(fresh_);
+  for (std::size_t k = 0; k < 3; ++k) {
+    writer.putVector(std::vector<double>(reference_.axis(k), reference_.axis(k) + reference_.size()));
+  }
+  for (const bool flag : {severalFragments_, hasColliders_, stale_}) writer.put<std::uint8_t>(flag ? 1 : 0);
+  writer.put(slack_);
+  writer.put(colliderTravel_);
+  writer.put(stepsToRebuild_);
+  writer.put(rebuilds_);
+}
+
+/// False where the bytes cannot have come from save() of such a network.
+bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
+  reader.readVector(rows_);
+  reader.readVector(entries_);
+  reader.readVector(nearColliders_);
+  reader.readVector(broken_);
+  reader.readVector(fresh_);
+  std::array<std::vector<double>, 3> reference;
+  for (std::vector<double>& axis : reference) reader.readVector(axis);
+  std::array<std::uint8_t, 3> flags{};
+  for (std::uint8_t& flag : flags) reader.read(flag);
+  reader.read(slack_);
+  reader.read(colliderTravel_);
+  reader.read(stepsToRebuild_);
+  reader.read(rebuilds_);
+  severalFragments_ = flags[0] != 0;
+  hasColliders_ = flags[1] != 0;
+  stale_ = flags[2] != 0;
+
+  const std::size_t nodes = network_->nodeCount();
+  const std::size_t bonds = network_->bondCount();
+  const auto properRow = [&](const Row& row) {
+    return row.node < nodes && row.firstEntry <= row.lastEntry && row.lastEntry <= entries_.size() &&
+           row.firstCollider <= row.lastCollider && row.lastCollider <= nearColliders_.size();
+  };
+  const auto properPair = [&](const BrokenPair& pair) { return pair.bond < bonds && pair.a < nodes && pair.b < nodes; };
+  bool proper = reader.ok() && std::all_of(rows_.begin(), rows_.end(), properRow) &&
+                std::all_of(broken_.begin(), broken_.end(), properPair) && std::all_of(fresh_.begin(), fresh_.end(), properPair) &&
+                std::all_of(nearColliders_.begin(), nearColliders_.end(), [&](std::uint32_t c) { return c < colliderCount; });
+  proper = proper && std::all_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+             return entry.other < nodes && (entry.brokenBond == kNone || entry.brokenBond < bonds);
+           });
+  const std::size_t length = reference[0].size();
+  proper = proper && (length == 0 || length == nodes) && reference[1].size() == length && reference[2].size() == length;
+  if (!proper) return false;
+  reference_ = NodeVectors(length);
+  for (std::size_t k = 0; k < 3; ++k) std::copy(reference[k].begin(), reference[k].end(), reference_.axis(k));
+  rowOfNode_.assign(nodes, kNone);
+  for (std::uint32_t r = 0; r < rows_.size(); ++r) rowOfNode_[rows_[r].node] = r;
+  return true;
+}
+
+std::size_t Contacts::memoryBytes() const {
+  const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
+  return bytes(nodeStiffness_) + grid_.memoryBytes() + bytes(rows_) + bytes(entries_) + bytes(nearColliders_) + bytes(rowOfNode_) +
+         bytes(rowWork_) + bytes(broken_) + bytes(fresh_) + (reference_.size() > 0 ? reference_.memoryBytes() : 0);
+}
+
+}  // namespace sim

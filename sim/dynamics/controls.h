@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/contact/contacts.h"
+#include "sim/control/track.h"
+#include "sim/dynamics/settings.h"
+
+namespace sim {
+
+/// The environment and the materials as tracks make them at a moment.
+class Controls {
+ public:
+  Controls(const Network& network, Environment environment, std::vector<Track> tracks);
+
+  /// Which values differ from those of the moment before.
+  struct Change {
+    bool gravity = false;
+    bool stiffness = false;  ///< stiffness or damping of some material
+    bool colliders = false;
+  };
+  Change moveTo(double time);
+
+  const Vec3& gravity() const { return gravity_; }
+  const std::vector<MovingCollider>& colliders() const { return colliders_; }
+  const std::vector<MaterialNow>& materials() const { return materials_; }
+  /// Rest lengths flow by a share of the excess strain that depends on the step.
+  void setFlow(const Network& network, double step);
+  /// How far the last moveTo() moved any point of a collider at most, cm.
+  double colliderTravel() const { return colliderTravel_; }
+  double largestStiffnessScale() const;
+  double largestDampingScale() const;
+
+ private:
+  bool moveColliders(double time);
+
+  Environment environment_;
+  std::vector<Track> tracks_;
+  Vec3 gravity_;
+  std::vector<MovingCollider> colliders_;
+  std::vector<MaterialNow> materials_;
+  double colliderTravel_ = 0.0;
+};
+
+}  // namespace sim

@@ -1,0 +1,119 @@
+#include "sim/dynamics/ledger.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sim {
+namespace {
+
+/// Past this many times the energy there ever was to have, the motion has blown up.
+constexpr double kBlowUp = 10.0;
+/// cm/s: motion so slow that it counts as rest when judging energies.
+constexpr double kSlowest = 1e-3;
+
+/// A slot's lanes whose neighbour stands behind them, so that each bond counts once.
+double slotEnergy(const KernelStep& step, const BondSlot& slot, std::size_t block) {
+  double sum = 0.0;
+  const MaterialNow& material = step.materials[slot.material];
+  for (unsigned lane = 0; lane < kBlockNodes; ++lane) {
+    if (((static_cast<unsigned>(slot.live) >> lane) & 1U) == 0) continue;
+    const std::size_t node = block * kBlockNodes + lane;
+    const std::size_t other = slot.gathered ? step.gathers[slot.gather + lane]
+                                            : static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + slot.offset);
+    if (other < node) continue;
+    double squared = 0.0;
+    for (const double* axis : step.now.position) squared += (axis[other] - axis[node]) * (axis[other] - axis[node]);
+    const double restLength = slot.varied ? step.lanes[slot.lanes].restLength[lane] : slot.restLength;
+    const double stiffness = slot.varied ? step.lanes[slot.lanes].stiffness[lane] : slot.stiffness;
+    const double extension = std::sqrt(squared) - restLength;
+    sum += 0.5 * stiffness * material.stiffnessScale * extension * extension;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double elasticEnergy(const KernelStep& step, std::size_t blockCount) {
+  std::vector<double> ofBlock(blockCount, 0.0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blockCount, 64), [&](const auto& part) {
+    for (std::size_t block = part.begin(); block < part.end(); ++block) {
+      const BondSlot* const first = step.slots + step.firstSlot[block];
+      for (const BondSlot* slot = first; slot != first + step.slotCount[block]; ++slot) ofBlock[block] += slotEnergy(step, *slot, block);
+    }
+  });
+  double sum = 0.0;
+  for (const double energy : ofBlock) sum += energy;
+  return sum;
+}
+
+Vec3 Ledger::massMoved(const NodeVectors& position) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t node = 0; node < position.size(); ++node) {
+    const double mass = network_->masses[node];
+    if (std::isfinite(mass)) sum += mass * (position.get(node) - network_->positions[node]);
+  }
+  return sum;
+}
+
+LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity, double elastic,
+                       double contact, const Vec3& gravity) const {
+  LedgerRow row;
+  row.time = time;
+  row.step = step;
+  row.energy = flows_;
+  row.energy.elastic = elastic;
+  row.energy.contact = contact;
+  for (std::size_t node = 0; node < position.size(); ++node) {
+    const double mass = network_->masses[node];
+    if (!std::isfinite(mass)) continue;
+    const Vec3 moves = velocity.get(node);
+    row.energy.kinetic += 0.5 * mass * moves.squaredNorm();
+    row.linearMomentum += mass * moves;
+    row.angularMomentum += mass * position.get(node).cross(moves);
+  }
+  row.energy.gravity = -gravity.dot(massMoved(position));
+  row.energy.residual = row.energy.mechanical() + flows_.dissipated + flows_.released - flows_.outsideWork - start_;
+  return row;
+}
+
+void Ledger::begin(const LedgerRow& row) {
+  start_ = row.energy.mechanical();
+  lowest_ = start_;
+  startActive_ = scale_ = row.energy.kinetic + row.energy.elastic + row.energy.contact;
+}
+
+bool Ledger::watch(const LedgerRow& row) {
+  const double unexplained = row.energy.mechanical() - row.energy.outsideWork;
+  const double active = row.energy.kinetic + row.energy.elastic + row.energy.contact;
+  lowest_ = std::min(lowest_, unexplained);
+  largestRise_ = std::max(largestRise_, unexplained - lowest_);
+  scale_ = std::max(scale_, active);
+  double mass = 0.0;
+  for (const double one : network_->masses) mass += std::isfinite(one) ? one : 0.0;
+  const double budget = startActive_ + std::max(0.0, row.energy.outsideWork) + std::max(0.0, -row.energy.gravity);
+  return std::isfinite(active) && active <= kBlowUp * budget + mass * kSlowest * kSlowest;
+}
+
+double Ledger::maxRise() const { return scale_ > 0.0 ? largestRise_ / scale_ : 0.0; }
+
+double Ledger::gravityWork(const NodeVectors& position, const Vec3& before, const Vec3& after) const {
+  return -(after - before).dot(massMoved(position));
+}
+
+void Ledger::save(ByteWriter& writer) const {
+  for (const double value : {flows_.dissipated, flows_.released, flows_.outsideWork, start_, lowest_, largestRise_, scale_, startActive_}) {
+    writer.put(value);
+  }
+}
+
+bool Ledger::load(ByteReader& reader) {
+  for (double* value : {&flows_.dissipated, &flows_.released, &flows_.outsideWork, &start_, &lowest_, &largestRise_, &scale_, &startActive_}) {
+    reader.read(*value);
+  }
+  return reader.ok();
+}
+
+}  // namespace sim

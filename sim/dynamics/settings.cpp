@@ -1,0 +1,20 @@
+#include "sim/dynamics/settings.h"
+
+#include <algorithm>
+
+namespace sim {
+
+const std::vector<std::string>& methodNames() {
+  static const std::vector<std::string> names = {"forward-euler", "symplectic-euler", "velocity-verlet"};
+  return names;
+}
+
+std::optional<Method> methodFromName(std::string_view name) {
+  const auto found = std::find(methodNames().begin(), methodNames().end(), name);
+  if (found == methodNames().end()) return std::nullopt;
+  return static_cast<Method>(found - methodNames().begin());
+}
+
+std::string_view nameOf(Method method) { return methodNames()[static_cast<std::size_t>(method)]; }
+
+}  // namespace sim

@@ -1,0 +1,248 @@
+#include "sim/dynamics/stepper.h"
+
+#include <tbb/parallel_for.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sim {
+namespace {
+
+/// Energy is drawn up this often: a few per cent of a step's cost each time.
+constexpr std::uint64_t kStepsPerLedger = 64;
+/// Blocks a task takes at least. A block of 16 nodes takes about a microsecond.
+constexpr std::size_t kBlockGrain = 32;
+/// An automatic step grows only when it may by this much: every change costs Verlet its symmetry in time.
+constexpr double kStepGrowth = 1.1;
+/// Frames are due when the time is within this share of a step.
+constexpr double kTimeSlack = 1e-6;
+
+double lengthOf(const NodeVectors& position, NodeIndex a, NodeIndex b) { return (position.get(b) - position.get(a)).norm(); }
+
+}  // namespace
+
+Stepper::Stepper(Network network, Environment environment, std::vector<Track> tracks, const Settings& settings)
+    : network_(std::move(network)),
+      settings_(settings),
+      spectrum_(measureSpectrum(network_)),
+      layout_(network_),
+      breakage_(network_),
+      components_(network_, layout_),
+      contacts_(network_, settings.contact),
+      controls_(network_, std::move(environment), std::move(tracks)),
+      ledger_(network_),
+      kernel_(stepBlocksFor(KernelKind::automatic)),
+      reports_(layout_.blockCount()),
+      arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
+  const std::size_t count = network_.nodeCount();
+  now_ = {NodeVectors(count), NodeVectors(count)};
+  next_ = now_;
+  forces_ = {NodeVectors(count), NodeVectors(count), std::vector<std::uint8_t>(layout_.blockCount(), 0)};
+  inverseMasses_.assign(NodeVectors::paddedCount(count), 0.0);
+  for (std::size_t node = 0; node < count; ++node) {
+    now_.position.set(node, network_.positions[node]);
+    now_.velocity.set(node, network_.velocities[node]);
+    inverseMasses_[node] = std::isfinite(network_.masses[node]) ? 1.0 / network_.masses[node] : 0.0;
+  }
+  arena_.execute([&] {
+    controls_.moveTo(0.0);
+    chooseStep();
+    refreshContacts();
+    ledger_.begin(drawLedger(now_.velocity));
+  });
+}
+
+Contacts::Moment Stepper::moment() const { return {now_, controls_.colliders(), controls_.materials(), step_}; }
+
+double Stepper::potentialEnergy() const {
+  Motion unused;
+  return elasticEnergy(kernelStep(now_, unused), layout_.blockCount()) + contacts_.energy(moment());
+}
+
+/// Tracks change the world at fixed positions; what that does to the energy is work from outside.
+void Stepper::applyControls() {
+  const Vec3 gravityBefore = controls_.gravity();
+  Controls ahead = controls_;
+  const Controls::Change change = ahead.moveTo(time());
+  if (change.gravity) ledger_.addOutsideWork(ledger_.gravityWork(now_.position, gravityBefore, ahead.gravity()));
+  if (change.stiffness) {
+    const double before = potentialEnergy();
+    controls_ = std::move(ahead);
+    ledger_.addOutsideWork(potentialEnergy() - before);
+    chooseStep();
+  } else {
+    controls_ = std::move(ahead);
+  }
+}
+
+void Stepper::refreshContacts() {
+  if (!contacts_.stale()) return;
+  contacts_.rebuild(now_, components_, breakage_, controls_.colliders());
+  ++work_.neighbourLists;
+  chooseStep();
+}
+
+void Stepper::chooseStep() {
+  if (settings_.step) {
+    setStep(*settings_.step);
+    return;
+  }
+  const Contacts::Stiffest stiffest = contacts_.stiffest(moment());
+  const Stiffening stiffening{controls_.largestStiffnessScale(), controls_.largestDampingScale(), stiffest.rateSquared, stiffest.damping};
+  const double stable = stableStep(spectrum_, stiffening, settings_.method, settings_.safety);
+  // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
+  constexpr double kLongest = 1e-2;
+  const double wanted = std::min(stable, kLongest);
+  if (step_ == 0.0 || wanted < step_ || wanted > kStepGrowth * step_) setStep(wanted);
+}
+
+void Stepper::setStep(double step) {
+  if (step == step_) return;
+  segmentStart_ = time();
+  segmentSteps_ = 0;
+  step_ = step;
+  controls_.setFlow(network_, step);
+}
+
+KernelStep Stepper::kernelStep(const Motion& from, Motion& to) const {
+  KernelStep step{};
+  layout_.describe(step);
+  for (std::size_t k = 0; k < 3; ++k) {
+    step.now.position[k] = from.position.axis(k);
+    step.now.velocity[k] = from.velocity.axis(k);
+    step.nextPosition[k] = to.position.size() > 0 ? to.position.axis(k) : nullptr;
+    step.nextVelocity[k] = to.velocity.size() > 0 ? to.velocity.axis(k) : nullptr;
+    step.external[k] = forces_.total.axis(k);
+    step.externalLossy[k] = forces_.lossy.axis(k);
+    step.gravity[k] = controls_.gravity()[static_cast<Eigen::Index>(k)];
+  }
+  step.inverseMass = inverseMasses_.data();
+  step.hasExternal = forces_.touched.data();
+  step.materials = controls_.materials().data();
+  return step;
+}
+
+void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const {
+  const std::size_t blocks = layout_.blockCount();
+  if (blocks <= kBlockGrain) {
+    kernel_(step, 0, blocks, reports.data());
+    return;
+  }
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, blocks, kBlockGrain),
+      [&](const auto& part) { kernel_(step, part.begin(), part.end(), reports.data()); }, tbb::static_partitioner());
+}
+
+Status Stepper::stepInArena() {
+  applyControls();
+  refreshContacts();
+  if (contacts_.quiet()) {
+    Contacts::clear(forces_);
+  } else {
+    const Contacts::ColliderWork work = contacts_.computeForces(moment(), forces_);
+    ledger_.addOutsideWork(work.outside);
+    ledger_.addDissipated(work.dissipated);
+    work_.contactPairs += contacts_.pairCount();
+  }
+  KernelStep step = kernelStep(now_, next_);
+  step.kick = settings_.method == Method::velocityVerlet ? 0.5 * (lastStep_ + step_) : step_;
+  step.drift = step_;
+  step.driftByOldVelocity = settings_.method == Method::forwardEuler;
+  step.flowing = true;
+  runKernel(step, reports_);
+  double travel = 0.0;
+  const Status healthy = readReports(travel);
+  if (!healthy) return healthy;
+
+  std::swap(now_, next_);
+  lastStep_ = step_;
+  ++segmentSteps_;
+  ++work_.steps;
+  work_.bondsEvaluated += network_.bondCount() - breakage_.brokenBondCount();
+  work_.bondsSkipped += breakage_.brokenBondCount();
+  contacts_.age(now_, travel, controls_.colliderTravel());
+  breakOverstretched();
+  return work_.steps % kStepsPerLedger == 0 ? watchEnergy() : Status(Done{});
+}
+
+Status Stepper::readReports(double& travel) {
+  double fastest = 0.0;
+  double dissipated = 0.0;
+  for (const BlockReport& report : reports_) {
+    dissipated += report.dissipated;
+    if (!(report.largestSpeedSquared <= fastest)) fastest = report.largestSpeedSquared;
+    if (!std::isfinite(report.largestSpeedSquared)) return blowUp("moves at no finite speed");
+  }
+  ledger_.addDissipated(dissipated);
+  travel = std::sqrt(fastest) * step_;
+  return Done{};
+}
+
+/// Names the fastest node, or the first whose motion is not finite, of the step being written.
+Problem Stepper::blowUp(const char* what) const {
+  NodeIndex worst = 0;
+  double fastest = -1.0;
+  for (NodeIndex node = 0; node < network_.nodeCount(); ++node) {
+    const double speed = next_.velocity.get(node).norm();
+    if (speed <= fastest) continue;
+    worst = node;
+    fastest = speed;
+    if (!std::isfinite(speed)) break;
+  }
+  const std::string& part = network_.partNames[network_.nodeParts[worst]];
+  const std::string& material = network_.materials[network_.nodeMaterials[worst]].name;
+  return {"t = " + std::to_string(time()) + " s",
+          "the motion blew up: node " + std::to_string(worst) + " of part '" + part + "' (material '" + material + "') " + what,
+          "take a smaller step, or leave the step automatic"};
+}
+
+Status Stepper::watchEnergy() {
+  if (ledger_.watch(ledgerNow())) return Done{};
+  return blowUp("is the fastest, and there is far more energy than there was to have");
+}
+
+LedgerRow Stepper::drawLedger(const NodeVectors& velocities) const {
+  Motion unused;
+  const double elastic = elasticEnergy(kernelStep(now_, unused), layout_.blockCount());
+  return ledger_.draw(time(), step_, now_.position, velocities, elastic, contacts_.energy(moment()), controls_.gravity());
+}
+
+NodeVectors Stepper::velocitiesNow() const {
+  if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return now_.velocity;
+  // Half the last step's kick more, without moving anything. Contact forces are those of these positions: what computing
+  // them changes (contacts that grow while apart) the next step would change alike.
+  Motion ahead{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())};
+  std::vector<BlockReport> reports(layout_.blockCount());
+  arena_.execute([&] {
+    Contacts contacts = contacts_;
+    Contacts::Forces forces{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount()),
+                            std::vector<std::uint8_t>(layout_.blockCount(), 0)};
+    if (!contacts.quiet()) contacts.computeForces(moment(), forces);
+    KernelStep step = kernelStep(now_, ahead);
+    for (std::size_t k = 0; k < 3; ++k) {
+      step.external[k] = forces.total.axis(k);
+      step.externalLossy[k] = forces.lossy.axis(k);
+    }
+    step.hasExternal = forces.touched.data();
+    step.kick = 0.5 * lastStep_;
+    runKernel(step, reports);
+  });
+  return std::move(ahead.velocity);
+}
+
+Status Stepper::stepOnce() {
+  return arena_.execute([&] { return stepInArena(); });
+}
+
+Status Stepper::advanceTo(double until) {
+  return arena_.execute([&]() -> Status {
+    while (time() < until - kTimeSlack * step_) {
+      if (const Status status = stepInArena(); !status) return status;
+    }
+    return Done{};
+  });
+}
+
+}  // namespace sim

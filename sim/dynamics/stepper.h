@@ -1,0 +1,96 @@
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include "sim/dynamics/controls.h"
+#include "sim/dynamics/ledger.h"
+#include "sim/dynamics/simulation.h"
+#include "sim/dynamics/stable_step.h"
+
+namespace sim {
+
+/// The inside of Simulation: one step after the other.
+///
+/// All three methods are one recurrence, v' = v + kick a(x, v), x' = x + drift w (bond_kernel.h):
+/// - velocity Verlet as leapfrog: v is half a step behind x (Motion), kick is half the last step plus half the next (zero at
+///   the start), w = v'. The velocity at the time of x is v + half the last step times a, computed only where it is shown,
+///   so that looking never changes the motion. It is the same trajectory as kick-drift-kick (LAMMPS fix nve), with dampers and
+///   friction acting on the half-step velocity as there.
+/// - symplectic Euler: kick = dt, w = v'.
+/// - forward Euler exactly as printed (paper, "Dynamics"; P7): kick = dt, w = v, the old velocity.
+///
+/// Order within a step: tracks; contact rows, if stale; contact forces; kernel (forces of bonds, move); then bonds that
+/// were overstretched at the step's beginning break, their cells with them, and fragments are relabelled.
+class Stepper {
+ public:
+  Stepper(Network network, Environment environment, std::vector<Track> tracks, const Settings& settings);
+
+  Status advanceTo(double until);
+  Status stepOnce();
+
+  double time() const { return segmentStart_ + static_cast<double>(segmentSteps_) * step_; }
+  double step() const { return step_; }
+  const Network& network() const { return network_; }
+  const Work& work() const { return work_; }
+  const Breakage& breakage() const { return breakage_; }
+  const Components& components() const { return components_; }
+  const NodeVectors& positions() const { return now_.position; }
+  double maxRise() const { return ledger_.maxRise(); }
+  std::vector<BreakEvent> drainEvents() { return std::exchange(events_, {}); }
+
+  /// Velocities at the time of the positions.
+  NodeVectors velocitiesNow() const;
+  LedgerRow ledgerNow() const { return drawLedger(velocitiesNow()); }
+  LedgerRow drawLedger(const NodeVectors& velocities) const;
+  std::uint64_t stateHash() const;
+
+  std::vector<std::byte> checkpoint() const;
+  Status restore(std::span<const std::byte> checkpoint);
+  std::size_t memoryBytes() const;
+
+ private:
+  Status stepInArena();
+  void applyControls();
+  void refreshContacts();
+  void chooseStep();
+  void setStep(double step);
+  KernelStep kernelStep(const Motion& from, Motion& to) const;
+  void runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const;
+  /// Sums the blocks' reports; a Problem when a speed is not finite.
+  Status readReports(double& travel);
+  void breakOverstretched();
+  std::vector<Breakage::Overstretched> findOverstretched() const;
+  float strainBefore(BondIndex bond) const;
+  void loseBond(const BreakEvent& event);
+  Status watchEnergy();
+  Problem blowUp(const char* what) const;
+  Contacts::Moment moment() const;
+  double potentialEnergy() const;
+
+  Network network_;
+  Settings settings_;
+  Spectrum spectrum_;
+  BondLayout layout_;
+  Breakage breakage_;
+  Components components_;
+  Contacts contacts_;
+  Controls controls_;
+  Ledger ledger_;
+  StepBlocks kernel_;
+
+  Motion now_;
+  Motion next_;  ///< where the step is written; afterwards, the state before it
+  AlignedVector<double> inverseMasses_;
+  Contacts::Forces forces_;
+  std::vector<BlockReport> reports_;
+  std::vector<BreakEvent> events_;
+  Work work_;
+
+  double segmentStart_ = 0.0;  ///< s: when the present step size began
+  std::uint64_t segmentSteps_ = 0;
+  double step_ = 0.0;      ///< s
+  double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
+  mutable tbb::task_arena arena_;
+};
+
+}  // namespace sim

@@ -1,0 +1,55 @@
+#include <cmath>
+
+#include "sim/dynamics/stepper.h"
+
+namespace sim {
+
+/// Strain at the beginning of the step just done, whose positions stand in next_ after the swap.
+float Stepper::strainBefore(BondIndex bond) const {
+  const NodeIndex a = network_.bondStart(bond);
+  const NodeIndex b = network_.bondEnds[bond];
+  const double length = (next_.position.get(b) - next_.position.get(a)).norm();
+  return static_cast<float>(length / layout_.restLength(network_, bond) - 1.0);
+}
+
+/// The exact test, for the rows of suspect blocks only.
+std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
+  std::vector<Breakage::Overstretched> found;
+  for (std::size_t block = 0; block < reports_.size(); ++block) {
+    if (!reports_[block].suspect) continue;
+    const std::size_t end = std::min(network_.nodeCount(), (block + 1) * kBlockNodes);
+    for (std::size_t node = block * kBlockNodes; node < end; ++node) {
+      for (BondIndex bond = network_.firstBond[node]; bond < network_.firstBond[node + 1]; ++bond) {
+        if (breakage_.bondBroken(bond)) continue;
+        const float strain = strainBefore(bond);
+        if (strain > network_.thresholds[bond]) found.push_back({bond, strain});
+      }
+    }
+  }
+  return found;
+}
+
+/// Takes a broken bond out of the lattice. Its tension energy is dropped, by rule 1 of docs/numerics.md; in compression it
+/// keeps its energy and goes on repelling (P4).
+void Stepper::loseBond(const BreakEvent& event) {
+  const BondClass& bond = network_.bond(event.bond);
+  const double restLength = layout_.restLength(network_, event.bond);
+  const double extension = (now_.position.get(event.b) - now_.position.get(event.a)).norm() - restLength;
+  const double stiffness = bond.stiffness * controls_.materials()[bond.material].stiffnessScale;
+  if (extension > 0.0) ledger_.addReleased(0.5 * stiffness * extension * extension);
+  contacts_.addBroken(event.bond, restLength);
+  layout_.remove(network_, event.bond);
+}
+
+void Stepper::breakOverstretched() {
+  const std::vector<Breakage::Overstretched> overstretched = findOverstretched();
+  if (overstretched.empty()) return;
+  const std::size_t before = events_.size();
+  breakage_.breakBonds(overstretched, time() - step_, [&](BondIndex bond) { return strainBefore(bond); }, events_);
+  const std::span<const BreakEvent> fresh = std::span<const BreakEvent>(events_).subspan(before);
+  for (const BreakEvent& event : fresh) loseBond(event);
+  if (components_.relabel(layout_, fresh, time())) contacts_.noteBirths();
+  work_.labelings = components_.relabelings();
+}
+
+}  // namespace sim
