@@ -1,8 +1,8 @@
 #pragma once
 
-#include <tbb/cache_aligned_allocator.h>
-
 #include <vector>
+
+#include <tbb/cache_aligned_allocator.h>
 
 namespace sim {
 

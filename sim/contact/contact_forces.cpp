@@ -1,7 +1,7 @@
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <tbb/parallel_for.h>
 
 #include "sim/contact/contacts.h"
 
@@ -11,14 +11,17 @@ namespace {
 /// Rows a task takes at least: below, handing out costs more than the rows.
 constexpr std::size_t kRowGrain = 256;
 
-/// Friction force (P10): against the slip, friction * k * intrusion, but never more than stops it within the step.
+/// Friction force (P10): against the slip, friction * k * intrusion, but never more than stops it within the
+/// step.
 Vec3 frictionForce(const Vec3& slip, double limit, double massShare, double step) {
   const double speed = slip.norm();
   if (!(speed > 0.0)) return Vec3::Zero();
   return -std::min(limit / speed, massShare / step) * slip;
 }
 
-double spring(double stiffness, double intrusion) { return 0.5 * stiffness * intrusion * intrusion; }
+double spring(double stiffness, double intrusion) {
+  return 0.5 * stiffness * intrusion * intrusion;
+}
 
 }  // namespace
 
@@ -75,13 +78,15 @@ Contacts::Push Contacts::pairPush(const Row& row, const Entry& entry, const Mome
   return push;
 }
 
-double Contacts::colliderStiffness(NodeIndex node, const Collider& collider, std::span<const MaterialNow> materials) const {
+double Contacts::colliderStiffness(NodeIndex node, const Collider& collider,
+                                   std::span<const MaterialNow> materials) const {
   if (collider.stiffness) return *collider.stiffness;
   return settings_.stiffnessScale * static_cast<double>(nodeStiffness_[node]) *
          materials[network_->nodeMaterials[node]].stiffnessScale;
 }
 
-Contacts::Push Contacts::colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment, ColliderWork& work) const {
+Contacts::Push Contacts::colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment,
+                                      ColliderWork& work) const {
   const Vec3 here = moment.motion.position.get(row.node);
   const Intrusion inside = intrusion(collider.shape, here);
   const double mass = network_->masses[row.node];
@@ -93,7 +98,8 @@ Contacts::Push Contacts::colliderPush(const Row& row, const MovingCollider& coll
   const double elastic = stiffness * inside.depth;
   const double damping = 2.0 * collider.shape.dampingRatio * std::sqrt(stiffness * mass);
   const double normal = std::max(0.0, elastic - damping * leaving);
-  const Vec3 friction = frictionForce(relative - leaving * inside.normal, collider.shape.friction * elastic, massShare(row.node), moment.step);
+  const Vec3 friction = frictionForce(relative - leaving * inside.normal, collider.shape.friction * elastic,
+                                      massShare(row.node), moment.step);
   const Push push{normal * inside.normal + friction, (normal - elastic) * inside.normal + friction};
   work.outside += push.total.dot(carried) * moment.step;
   work.dissipated += push.lossy.dot(carried) * moment.step;
@@ -123,7 +129,8 @@ void Contacts::pushFresh(const Moment& moment, Forces& forces) {
     entry.other = pair.b;
     Row row;
     row.node = pair.a;
-    if ((moment.motion.position.get(pair.b) - moment.motion.position.get(pair.a)).norm() >= pair.restLength) pair.apart = 1;
+    if ((moment.motion.position.get(pair.b) - moment.motion.position.get(pair.a)).norm() >= pair.restLength)
+      pair.apart = 1;
     const Push push = pairPush(row, entry, moment);
     forces.total.add(pair.a, push.total);
     forces.lossy.add(pair.a, push.lossy);
@@ -146,7 +153,8 @@ void Contacts::clear(Forces& forces) {
 Contacts::ColliderWork Contacts::computeForces(const Moment& moment, Forces& forces) {
   clear(forces);
   for (const Row& row : rows_) forces.touched[row.node / kBlockNodes] = 1;
-  for (const BrokenPair& pair : fresh_) forces.touched[pair.a / kBlockNodes] = forces.touched[pair.b / kBlockNodes] = 1;
+  for (const BrokenPair& pair : fresh_)
+    forces.touched[pair.a / kBlockNodes] = forces.touched[pair.b / kBlockNodes] = 1;
   rowWork_.resize(rows_.size());
   const auto overRows = [&](auto&& work) {
     const auto range = tbb::blocked_range<std::size_t>(0, rows_.size(), kRowGrain);
@@ -172,7 +180,8 @@ double Contacts::energy(const Moment& moment) const {
     for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
       const Entry& entry = entries_[e];
       const double depth = entry.rho - (moment.motion.position.get(entry.other) - here).norm();
-      if (depth > 0.0) sum += 0.5 * spring(pairScale(entry, row.node, moment.materials) * entry.stiffness, depth);
+      if (depth > 0.0)
+        sum += 0.5 * spring(pairScale(entry, row.node, moment.materials) * entry.stiffness, depth);
     }
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
       const Collider& collider = moment.colliders[nearColliders_[c]].shape;
@@ -183,7 +192,8 @@ double Contacts::energy(const Moment& moment) const {
   for (const BrokenPair& pair : fresh_) {
     Entry entry = brokenEntry(pair);
     entry.other = pair.b;
-    const double depth = pair.restLength - (moment.motion.position.get(pair.b) - moment.motion.position.get(pair.a)).norm();
+    const double depth =
+        pair.restLength - (moment.motion.position.get(pair.b) - moment.motion.position.get(pair.a)).norm();
     if (depth > 0.0) sum += spring(pairScale(entry, pair.a, moment.materials) * entry.stiffness, depth);
   }
   return sum;

@@ -7,11 +7,12 @@
 namespace sim {
 namespace {
 
-/// Skins relative to the largest natural length: wider ones mean fewer rebuilds and more pairs looked at in vain.
+/// Skins relative to the largest natural length: wider ones mean fewer rebuilds and more pairs looked at in
+/// vain.
 constexpr double kPairSkinShare = 0.3;
 constexpr double kColliderSkinShare = 1.0;
-/// A burst of breaks is given this many steps before the rows are rebuilt. Pairs of new fragments are at least about a
-/// bond's length apart, and move far less than the skin in so few steps.
+/// A burst of breaks is given this many steps before the rows are rebuilt. Pairs of new fragments are at
+/// least about a bond's length apart, and move far less than the skin in so few steps.
 constexpr std::uint32_t kStepsAfterBirth = 8;
 /// More broken pairs than this outside the rows cost more than a rebuild.
 constexpr std::size_t kMostFresh = 4096;
@@ -25,7 +26,9 @@ double distanceOf(const Motion& motion, NodeIndex i, NodeIndex j) {
 }  // namespace
 
 Contacts::Contacts(const Network& network, const ContactSettings& settings)
-    : network_(&network), settings_(settings), nodeStiffness_(network.nodeCount(), std::numeric_limits<float>::max()) {
+    : network_(&network),
+      settings_(settings),
+      nodeStiffness_(network.nodeCount(), std::numeric_limits<float>::max()) {
   for (NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
       const auto stiffness = static_cast<float>(network.bond(b).stiffness);
@@ -55,8 +58,9 @@ double Contacts::pairDamping(NodeIndex i, NodeIndex j, double stiffness) const {
 }
 
 const Contacts::BrokenPair* Contacts::findBroken(BondIndex bond) const {
-  const auto found = std::lower_bound(broken_.begin(), broken_.end(), bond,
-                                      [](const BrokenPair& pair, BondIndex wanted) { return pair.bond < wanted; });
+  const auto found =
+      std::lower_bound(broken_.begin(), broken_.end(), bond,
+                       [](const BrokenPair& pair, BondIndex wanted) { return pair.bond < wanted; });
   return found != broken_.end() && found->bond == bond ? &*found : nullptr;
 }
 
@@ -76,7 +80,8 @@ void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
   slack_ -= travel + colliderTravel;
   if (slack_ > 0.0) return;
 
-  // The bound ran out: look how far nodes really are from where the rows were built, apart from what all have in common.
+  // The bound ran out: look how far nodes really are from where the rows were built, apart from what all have
+  // in common.
   const std::size_t count = motion.position.size();
   Vec3 shift = Vec3::Zero();
   for (std::size_t node = 0; node < count; ++node) shift += motion.position.get(node) - reference_.get(node);
@@ -91,13 +96,16 @@ void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
   relative = std::sqrt(relative);
   absolute = std::sqrt(absolute);
   // The common shift may itself change by as much as a node moves: half the room that is left.
-  const double pairRoom = severalFragments_ ? 0.5 * (0.5 * pairSkin_ - relative) : std::numeric_limits<double>::max();
-  const double colliderRoom = hasColliders_ ? colliderSkin_ - absolute - colliderTravel_ : std::numeric_limits<double>::max();
+  const double pairRoom =
+      severalFragments_ ? 0.5 * (0.5 * pairSkin_ - relative) : std::numeric_limits<double>::max();
+  const double colliderRoom =
+      hasColliders_ ? colliderSkin_ - absolute - colliderTravel_ : std::numeric_limits<double>::max();
   slack_ = std::min(pairRoom, colliderRoom);
   if (slack_ < 2.0 * travel) stale_ = true;
 }
 
-bool Contacts::mayTouch(NodeIndex i, NodeIndex j, const Components& components, const Breakage& breakage) const {
+bool Contacts::mayTouch(NodeIndex i, NodeIndex j, const Components& components,
+                        const Breakage& breakage) const {
   const bool same = components.of(i) == components.of(j);
   if (same) {
     if (!settings_.self) return false;
@@ -123,11 +131,13 @@ const Contacts::Entry* Contacts::oldEntry(NodeIndex i, NodeIndex j) const {
 void Contacts::rememberApart() {
   for (const Entry& entry : entries_) {
     if (entry.brokenBond == kNone || entry.apart == 0) continue;
-    if (const BrokenPair* pair = findBroken(entry.brokenBond)) broken_[static_cast<std::size_t>(pair - broken_.data())].apart = 1;
+    if (const BrokenPair* pair = findBroken(entry.brokenBond))
+      broken_[static_cast<std::size_t>(pair - broken_.data())].apart = 1;
   }
   broken_.insert(broken_.end(), fresh_.begin(), fresh_.end());
   fresh_.clear();
-  std::sort(broken_.begin(), broken_.end(), [](const BrokenPair& left, const BrokenPair& right) { return left.bond < right.bond; });
+  std::sort(broken_.begin(), broken_.end(),
+            [](const BrokenPair& left, const BrokenPair& right) { return left.bond < right.bond; });
 }
 
 Contacts::Entry Contacts::brokenEntry(const BrokenPair& pair) const {
@@ -135,13 +145,15 @@ Contacts::Entry Contacts::brokenEntry(const BrokenPair& pair) const {
   return {kNone, pair.bond, pair.restLength, pair.restLength, bond.stiffness, bond.damping, pair.apart};
 }
 
-void Contacts::collectBroken(const Motion& motion, const Components& components, std::vector<Candidate>& pairs) {
+void Contacts::collectBroken(const Motion& motion, const Components& components,
+                             std::vector<Candidate>& pairs) {
   std::erase_if(broken_, [&](BrokenPair& pair) {
     if (distanceOf(motion, pair.a, pair.b) >= pair.restLength) pair.apart = 1;
     return pair.apart != 0 && settings_.between && components.of(pair.a) != components.of(pair.b);
   });
   for (const BrokenPair& pair : broken_) {
-    if (distanceOf(motion, pair.a, pair.b) < pair.restLength + pairSkin_) pairs.push_back({pair.a, pair.b, brokenEntry(pair)});
+    if (distanceOf(motion, pair.a, pair.b) < pair.restLength + pairSkin_)
+      pairs.push_back({pair.a, pair.b, brokenEntry(pair)});
   }
 }
 
@@ -155,7 +167,8 @@ void Contacts::collectContacts(const Motion& motion, const Components& component
     const double reach = natural + pairSkin_;
     const double squared = (motion.position.get(j) - motion.position.get(i)).squaredNorm();
     if (squared >= reach * reach || !mayTouch(i, j, components, breakage)) return;
-    const double stiffness = settings_.stiffnessScale * static_cast<double>(std::min(nodeStiffness_[i], nodeStiffness_[j]));
+    const double stiffness =
+        settings_.stiffnessScale * static_cast<double>(std::min(nodeStiffness_[i], nodeStiffness_[j]));
     if (!(stiffness > 0.0)) return;
     const Entry* old = oldEntry(i, j);
     const double rho = old != nullptr ? old->rho : std::min(natural, std::sqrt(squared));
@@ -163,14 +176,18 @@ void Contacts::collectContacts(const Motion& motion, const Components& component
   });
 }
 
-std::vector<Contacts::NearCollider> Contacts::collectColliders(const Motion& motion, std::span<const MovingCollider> colliders) const {
+std::vector<Contacts::NearCollider> Contacts::collectColliders(
+    const Motion& motion, std::span<const MovingCollider> colliders) const {
   std::vector<NearCollider> near;
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
     for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {
-      if (intrusion(colliders[c].shape, motion.position.get(node)).depth > -colliderSkin_) near.push_back({node, c});
+      if (intrusion(colliders[c].shape, motion.position.get(node)).depth > -colliderSkin_)
+        near.push_back({node, c});
     }
   }
-  std::stable_sort(near.begin(), near.end(), [](const NearCollider& left, const NearCollider& right) { return left.node < right.node; });
+  std::stable_sort(near.begin(), near.end(), [](const NearCollider& left, const NearCollider& right) {
+    return left.node < right.node;
+  });
   return near;
 }
 
@@ -195,7 +212,8 @@ void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<N
   nearColliders_.clear();
   rowOfNode_.assign(network_->nodeCount(), kNone);
   for (std::size_t h = 0, c = 0; h < halves.size() || c < near.size();) {
-    const NodeIndex node = std::min(h < halves.size() ? halves[h].node : kNone, c < near.size() ? near[c].node : kNone);
+    const NodeIndex node =
+        std::min(h < halves.size() ? halves[h].node : kNone, c < near.size() ? near[c].node : kNone);
     Row row;
     row.node = node;
     row.firstEntry = static_cast<std::uint32_t>(entries_.size());
@@ -216,7 +234,8 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   rememberApart();
   std::vector<Candidate> pairs;
   collectBroken(motion, components, pairs);
-  if ((severalFragments_ && settings_.between) || settings_.self) collectContacts(motion, components, breakage, pairs);
+  if ((severalFragments_ && settings_.between) || settings_.self)
+    collectContacts(motion, components, breakage, pairs);
   fillRows(pairs, collectColliders(motion, colliders));
   if (severalFragments_ || hasColliders_) reference_ = motion.position;
   colliderTravel_ = 0.0;
@@ -267,15 +286,20 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
     return row.node < nodes && row.firstEntry <= row.lastEntry && row.lastEntry <= entries_.size() &&
            row.firstCollider <= row.lastCollider && row.lastCollider <= nearColliders_.size();
   };
-  const auto properPair = [&](const BrokenPair& pair) { return pair.bond < bonds && pair.a < nodes && pair.b < nodes; };
+  const auto properPair = [&](const BrokenPair& pair) {
+    return pair.bond < bonds && pair.a < nodes && pair.b < nodes;
+  };
   bool proper = reader.ok() && std::all_of(rows_.begin(), rows_.end(), properRow) &&
-                std::all_of(broken_.begin(), broken_.end(), properPair) && std::all_of(fresh_.begin(), fresh_.end(), properPair) &&
-                std::all_of(nearColliders_.begin(), nearColliders_.end(), [&](std::uint32_t c) { return c < colliderCount; });
+                std::all_of(broken_.begin(), broken_.end(), properPair) &&
+                std::all_of(fresh_.begin(), fresh_.end(), properPair) &&
+                std::all_of(nearColliders_.begin(), nearColliders_.end(),
+                            [&](std::uint32_t c) { return c < colliderCount; });
   proper = proper && std::all_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
              return entry.other < nodes && (entry.brokenBond == kNone || entry.brokenBond < bonds);
            });
   const std::size_t length = reference[0].size();
-  proper = proper && (length == 0 || length == nodes) && reference[1].size() == length && reference[2].size() == length;
+  proper = proper && (length == 0 || length == nodes) && reference[1].size() == length &&
+           reference[2].size() == length;
   if (!proper) return false;
   reference_ = NodeVectors(length);
   for (std::size_t k = 0; k < 3; ++k) std::copy(reference[k].begin(), reference[k].end(), reference_.axis(k));
@@ -286,8 +310,9 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
 
 std::size_t Contacts::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return bytes(nodeStiffness_) + grid_.memoryBytes() + bytes(rows_) + bytes(entries_) + bytes(nearColliders_) + bytes(rowOfNode_) +
-         bytes(rowWork_) + bytes(broken_) + bytes(fresh_) + (reference_.size() > 0 ? reference_.memoryBytes() : 0);
+  return bytes(nodeStiffness_) + grid_.memoryBytes() + bytes(rows_) + bytes(entries_) +
+         bytes(nearColliders_) + bytes(rowOfNode_) + bytes(rowWork_) + bytes(broken_) + bytes(fresh_) +
+         (reference_.size() > 0 ? reference_.memoryBytes() : 0);
 }
 
 }  // namespace sim

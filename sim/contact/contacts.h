@@ -18,19 +18,24 @@ struct MovingCollider {
   Vec3 velocity = Vec3::Zero();         ///< of its origin, cm/s
   Vec3 angularVelocity = Vec3::Zero();  ///< rad/s
 
-  Vec3 velocityAt(const Vec3& point) const { return velocity + angularVelocity.cross(point - shape.position); }
+  Vec3 velocityAt(const Vec3& point) const {
+    return velocity + angularVelocity.cross(point - shape.position);
+  }
 };
 
-/// What pushes on nodes from outside the lattice: nodes of other fragments, broken bonds in compression, colliders.
+/// What pushes on nodes from outside the lattice: nodes of other fragments, broken bonds in compression,
+/// colliders.
 ///
-/// Contact of two nodes (P9, docs/numerics.md): force max(0, k (rho - x) - d v_n) along the line between them, rho at most the
-/// natural length; a pair that becomes eligible closer than that starts with rho its present distance, and rho grows only
-/// while the two are apart, so that switching a contact on never adds energy. A pair whose bond broke repels by that bond's
-/// own k and l until it was once apart; then contact takes over if they are in different fragments (P4).
-/// Friction (P10) opposes sliding by friction * k * intrusion, and never reverses it within a step.
+/// Contact of two nodes (P9, docs/numerics.md): force max(0, k (rho - x) - d v_n) along the line between
+/// them, rho at most the natural length; a pair that becomes eligible closer than that starts with rho its
+/// present distance, and rho grows only while the two are apart, so that switching a contact on never adds
+/// energy. A pair whose bond broke repels by that bond's own k and l until it was once apart; then contact
+/// takes over if they are in different fragments (P4). Friction (P10) opposes sliding by friction * k *
+/// intrusion, and never reverses it within a step.
 ///
-/// Pairs stand in rows, one row a touched node, both ways round: each node gathers its own force in a fixed order.
-/// The rows cover all that can touch until something has moved by a skin's width; then stale() asks for rebuild().
+/// Pairs stand in rows, one row a touched node, both ways round: each node gathers its own force in a fixed
+/// order. The rows cover all that can touch until something has moved by a skin's width; then stale() asks
+/// for rebuild().
 class Contacts {
  public:
   Contacts(const Network& network, const ContactSettings& settings);
@@ -47,10 +52,12 @@ class Contacts {
   void addBroken(BondIndex bond, double restLength);
   /// Fragments were born: new pairs may touch. A burst of breaks shares one rebuild a few steps later.
   void noteBirths();
-  /// Ages the rows by one step in which no node moved further than `travel` and no collider further than `colliderTravel` (cm).
+  /// Ages the rows by one step in which no node moved further than `travel` and no collider further than
+  /// `colliderTravel` (cm).
   void age(const Motion& motion, double travel, double colliderTravel);
   bool stale() const { return stale_; }
-  void rebuild(const Motion& motion, const Components& components, const Breakage& breakage, std::span<const MovingCollider> colliders);
+  void rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
+               std::span<const MovingCollider> colliders);
 
   /// No row can push: nothing to do this step.
   bool quiet() const { return rows_.empty() && fresh_.empty(); }
@@ -58,7 +65,8 @@ class Contacts {
   struct Forces {
     NodeVectors total;  ///< dyn
     NodeVectors lossy;  ///< the part that is not conservative: contact damping and friction, dyn
-    std::vector<std::uint8_t> touched;  ///< one byte a block of nodes: forces there are set, elsewhere undefined
+    std::vector<std::uint8_t>
+        touched;  ///< one byte a block of nodes: forces there are set, elsewhere undefined
   };
   /// What colliders that move did in a step, which the nodes' own account (force times velocity) cannot tell.
   struct ColliderWork {
@@ -131,8 +139,10 @@ class Contacts {
   const Entry* oldEntry(NodeIndex i, NodeIndex j) const;
   void rememberApart();
   void collectBroken(const Motion& motion, const Components& components, std::vector<Candidate>& pairs);
-  void collectContacts(const Motion& motion, const Components& components, const Breakage& breakage, std::vector<Candidate>& pairs);
-  std::vector<NearCollider> collectColliders(const Motion& motion, std::span<const MovingCollider> colliders) const;
+  void collectContacts(const Motion& motion, const Components& components, const Breakage& breakage,
+                       std::vector<Candidate>& pairs);
+  std::vector<NearCollider> collectColliders(const Motion& motion,
+                                             std::span<const MovingCollider> colliders) const;
   void fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near);
   const BrokenPair* findBroken(BondIndex bond) const;
   Entry brokenEntry(const BrokenPair& pair) const;
@@ -142,14 +152,17 @@ class Contacts {
   double massShare(NodeIndex node) const;
   void activate(Row& row, const Moment& moment);
   Push pairPush(const Row& row, const Entry& entry, const Moment& moment) const;
-  Push colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment, ColliderWork& work) const;
+  Push colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment,
+                    ColliderWork& work) const;
   ColliderWork pushRow(const Row& row, const Moment& moment, Forces& forces) const;
   void pushFresh(const Moment& moment, Forces& forces);
-  double colliderStiffness(NodeIndex node, const Collider& collider, std::span<const MaterialNow> materials) const;
+  double colliderStiffness(NodeIndex node, const Collider& collider,
+                           std::span<const MaterialNow> materials) const;
 
   const Network* network_;
   ContactSettings settings_;
-  std::vector<float> nodeStiffness_;  ///< the weakest bond of each node: contact is never stiffer (P16), dyn/cm
+  std::vector<float>
+      nodeStiffness_;  ///< the weakest bond of each node: contact is never stiffer (P16), dyn/cm
   double largestNatural_ = 0.0;
   double pairSkin_ = 0.0;      ///< cm beyond the natural length that the rows cover
   double colliderSkin_ = 0.0;  ///< cm outside colliders that the rows cover

@@ -43,7 +43,8 @@ void HashGrid::build(const NodeVectors& positions, std::span<const FragmentId> f
   cubeOfNode_.resize(count);
   for (std::size_t node = 0; node < count; ++node) {
     Place at;
-    for (std::size_t k = 0; k < 3; ++k) at[k] = static_cast<std::int64_t>(std::floor(positions.axis(k)[node] / edge));
+    for (std::size_t k = 0; k < 3; ++k)
+      at[k] = static_cast<std::int64_t>(std::floor(positions.axis(k)[node] / edge));
     const std::uint32_t cube = findOrAdd(at, fragmentOfNode[node]);
     cubeOfNode_[node] = cube;
     ++cubes_[cube].last;
@@ -55,11 +56,13 @@ void HashGrid::build(const NodeVectors& positions, std::span<const FragmentId> f
     first += size;
   }
   nodes_.resize(count);
-  for (std::size_t node = 0; node < count; ++node) nodes_[cubes_[cubeOfNode_[node]].last++] = static_cast<NodeIndex>(node);
+  for (std::size_t node = 0; node < count; ++node)
+    nodes_[cubes_[cubeOfNode_[node]].last++] = static_cast<NodeIndex>(node);
 }
 
 std::size_t HashGrid::memoryBytes() const {
-  return (table_.capacity() + nodes_.capacity() + cubeOfNode_.capacity()) * sizeof(std::uint32_t) + cubes_.capacity() * sizeof(Cube);
+  return (table_.capacity() + nodes_.capacity() + cubeOfNode_.capacity()) * sizeof(std::uint32_t) +
+         cubes_.capacity() * sizeof(Cube);
 }
 
 }  // namespace sim

@@ -8,15 +8,16 @@
 
 namespace sim {
 
-/// Space cut into cubes, kept in a hash table (paper, "Collision detection"; P12). Each cube is tagged with the fragment its
-/// nodes belong to, or as mixed, so that cubes of one fragment only are never compared. Cost linear in nodes.
+/// Space cut into cubes, kept in a hash table (paper, "Collision detection"; P12). Each cube is tagged with
+/// the fragment its nodes belong to, or as mixed, so that cubes of one fragment only are never compared. Cost
+/// linear in nodes.
 class HashGrid {
  public:
   /// Sorts the nodes into cubes of the given edge (cm). `fragmentOfNode` gives the tags.
   void build(const NodeVectors& positions, std::span<const FragmentId> fragmentOfNode, double edge);
 
-  /// Calls visit(i, j), i != j, once for each unordered pair of nodes in the same or touching cubes, unless both cubes hold one
-  /// and the same fragment only and `withinFragments` is false.
+  /// Calls visit(i, j), i != j, once for each unordered pair of nodes in the same or touching cubes, unless
+  /// both cubes hold one and the same fragment only and `withinFragments` is false.
   template <class Visit>
   void forEachNearPair(bool withinFragments, Visit&& visit) const {
     for (std::uint32_t c = 0; c < cubes_.size(); ++c) {

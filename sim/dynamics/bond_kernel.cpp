@@ -4,8 +4,13 @@ namespace sim {
 namespace {
 
 #ifdef SMITHEREENS_X86_KERNELS
-bool hasAvx2() { return __builtin_cpu_supports("avx2"); }
-bool hasAvx512() { return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"); }
+bool hasAvx2() {
+  return __builtin_cpu_supports("avx2");
+}
+bool hasAvx512() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
+}
 #endif
 
 }  // namespace

@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loop: forces of intact bonds, and the step of the nodes they pull. This header and the kernels include
-/// nothing of Eigen or the standard containers: the kernels are compiled for several instruction sets, and an inline
-/// function shared with the rest of the program could be linked in the wrong one.
+/// The inner loop: forces of intact bonds, and the step of the nodes they pull. This header and the kernels
+/// include nothing of Eigen or the standard containers: the kernels are compiled for several instruction
+/// sets, and an inline function shared with the rest of the program could be linked in the wrong one.
 namespace sim {
 
-/// Nodes are worked on in blocks of sixteen consecutive ones (SELL-16), which fills two AVX-512 vectors of doubles.
+/// Nodes are worked on in blocks of sixteen consecutive ones (SELL-16), which fills two AVX-512 vectors of
+/// doubles.
 inline constexpr std::size_t kBlockNodes = 16;
 
 /// Lane constants of a slot whose bonds differ.
@@ -18,21 +19,22 @@ struct SlotLanes {
   double damping[kBlockNodes];     ///< g/s
 };
 
-/// One direction of a block: at most one bond of each of its nodes, to the node at `offset` behind it (contiguous) or
-/// named lane by lane (gathered). Every bond appears twice, once from each end, so that each node gathers the whole
-/// force on it in a fixed order and nothing is scattered.
+/// One direction of a block: at most one bond of each of its nodes, to the node at `offset` behind it
+/// (contiguous) or named lane by lane (gathered). Every bond appears twice, once from each end, so that each
+/// node gathers the whole force on it in a fixed order and nothing is scattered.
 struct BondSlot {
-  std::int32_t offset = 0;     ///< of the neighbour's index, for contiguous slots
-  std::uint32_t lanes = 0;     ///< index of SlotLanes, for varied slots
-  std::uint32_t gather = 0;    ///< index of the sixteen neighbour indices, for gathered slots
-  float thresholdFloor = 0.0F; ///< the smallest threshold among the lanes, infinite where nothing here can break
-  std::uint16_t live = 0;      ///< bit a lane: its bond is there and whole
+  std::int32_t offset = 0;   ///< of the neighbour's index, for contiguous slots
+  std::uint32_t lanes = 0;   ///< index of SlotLanes, for varied slots
+  std::uint32_t gather = 0;  ///< index of the sixteen neighbour indices, for gathered slots
+  float thresholdFloor =
+      0.0F;                ///< the smallest threshold among the lanes, infinite where nothing here can break
+  std::uint16_t live = 0;  ///< bit a lane: its bond is there and whole
   std::uint8_t material = 0;
   bool gathered = false;
   bool varied = false;
   bool plastic = false;
-  bool tested = false;  ///< this end of the bonds tests them for breaking (the other end need not)
-  double stiffness = 0.0;   ///< of all lanes unless varied
+  bool tested = false;     ///< this end of the bonds tests them for breaking (the other end need not)
+  double stiffness = 0.0;  ///< of all lanes unless varied
   double restLength = 0.0;
   double damping = 0.0;
 };
@@ -50,8 +52,8 @@ struct NodeArrays {
   const double* velocity[3];
 };
 
-/// One step of the blocks [firstBlock, lastBlock): a = gravity + force / m; v' = v + kick a; x' = x + drift w, where w is v'
-/// (Verlet, symplectic Euler) or v (forward Euler as the paper prints it).
+/// One step of the blocks [firstBlock, lastBlock): a = gravity + force / m; v' = v + kick a; x' = x + drift
+/// w, where w is v' (Verlet, symplectic Euler) or v (forward Euler as the paper prints it).
 struct KernelStep {
   const BondSlot* slots;
   const std::uint32_t* firstSlot;  ///< a block's slots are [firstSlot[b], firstSlot[b] + slotCount[b])
@@ -62,10 +64,10 @@ struct KernelStep {
   NodeArrays now;
   double* nextPosition[3];
   double* nextVelocity[3];
-  const double* inverseMass;         ///< 1/g; zero for held nodes and padding
-  const double* external[3];         ///< dyn, of contacts and colliders
-  const double* externalLossy[3];    ///< the part of `external` that is not conservative
-  const std::uint8_t* hasExternal;   ///< one byte a block
+  const double* inverseMass;        ///< 1/g; zero for held nodes and padding
+  const double* external[3];        ///< dyn, of contacts and colliders
+  const double* externalLossy[3];   ///< the part of `external` that is not conservative
+  const std::uint8_t* hasExternal;  ///< one byte a block
 
   double gravity[3];
   double kick = 0.0;   ///< s
@@ -82,13 +84,15 @@ struct BlockReport {
   bool suspect = false;              ///< some bond is stretched past the smallest threshold of its slot
 };
 
-using StepBlocks = void (*)(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
+using StepBlocks = void (*)(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock,
+                            BlockReport* reports);
 
-/// Kernels: the same source compiled for plain x86-64 (or any processor), AVX2 and AVX-512. All round identically, so all
-/// give the same bits.
+/// Kernels: the same source compiled for plain x86-64 (or any processor), AVX2 and AVX-512. All round
+/// identically, so all give the same bits.
 enum class KernelKind { automatic, plain, avx2, avx512 };
 
-/// The kernel of that kind, or null where this build or this processor has none. automatic: the fastest there is.
+/// The kernel of that kind, or null where this build or this processor has none. automatic: the fastest there
+/// is.
 StepBlocks stepBlocksFor(KernelKind kind);
 const char* nameOfKernel(KernelKind kind);
 /// What `automatic` stands for here.

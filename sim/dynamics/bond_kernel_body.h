@@ -1,10 +1,10 @@
-// The kernel's source, included by bond_kernel_plain.cpp, _avx2.cpp and _avx512.cpp, each compiled for its own
-// instruction set, with SMITHEREENS_KERNEL the namespace.
+// The kernel's source, included by bond_kernel_plain.cpp, _avx2.cpp and _avx512.cpp, each compiled for its
+// own instruction set, with SMITHEREENS_KERNEL the namespace.
 //
 // Force on a node from its neighbour (paper, "Internal forces"; P3): along e = (x_j - x_i) / r,
 //   f = k (r - l) + d (v_j - v_i) . e.
-// The dampers' force is summed apart so that the work done against them over the step, f_d . (v + v') / 2 kick, is exact
-// in the discrete motion, and the energy ledger closes.
+// The dampers' force is summed apart so that the work done against them over the step, f_d . (v + v') / 2
+// kick, is exact in the discrete motion, and the energy ledger closes.
 
 #include <experimental/simd>
 
@@ -24,13 +24,16 @@ struct LaneTable {
   alignas(64) double row[1U << kWidth][kWidth];
   constexpr LaneTable() : row() {
     for (std::size_t bits = 0; bits < (1U << kWidth); ++bits) {
-      for (std::size_t lane = 0; lane < kWidth; ++lane) row[bits][lane] = ((bits >> lane) & 1U) != 0 ? 1.0 : 0.0;
+      for (std::size_t lane = 0; lane < kWidth; ++lane)
+        row[bits][lane] = ((bits >> lane) & 1U) != 0 ? 1.0 : 0.0;
     }
   }
 };
 constexpr LaneTable kLaneTable;
 
-inline Real load(const double* from) { return Real(from, stdx::element_aligned); }
+inline Real load(const double* from) {
+  return Real(from, stdx::element_aligned);
+}
 
 struct Triple {
   Real x, y, z;
@@ -41,15 +44,16 @@ inline Triple loadTriple(const double* const arrays[3], std::size_t at) {
 }
 
 inline Triple gatherTriple(const double* const arrays[3], const std::uint32_t* nodes) {
-  return {Real([&](auto lane) { return arrays[0][nodes[lane]]; }), Real([&](auto lane) { return arrays[1][nodes[lane]]; }),
+  return {Real([&](auto lane) { return arrays[0][nodes[lane]]; }),
+          Real([&](auto lane) { return arrays[1][nodes[lane]]; }),
           Real([&](auto lane) { return arrays[2][nodes[lane]]; })};
 }
 
 /// Everything a run of lanes gathers from its slots.
 struct Gathered {
-  Real forceX = 0.0, forceY = 0.0, forceZ = 0.0;     ///< elastic
-  Real lossyX = 0.0, lossyY = 0.0, lossyZ = 0.0;     ///< of the dampers
-  Real flowed = 0.0;                                 ///< erg that plastic flow took, this end's half
+  Real forceX = 0.0, forceY = 0.0, forceZ = 0.0;  ///< elastic
+  Real lossyX = 0.0, lossyY = 0.0, lossyZ = 0.0;  ///< of the dampers
+  Real flowed = 0.0;                              ///< erg that plastic flow took, this end's half
   bool suspect = false;
 };
 
@@ -67,10 +71,10 @@ inline Constants constantsOf(const KernelStep& step, const BondSlot& slot, std::
           load(lanes.damping + lane) * material.dampingScale};
 }
 
-/// Viscoplastic flow (P2): the rest length moves towards the present length by a share of the strain beyond yield. Both
-/// ends compute the same length from the same numbers, so their two copies stay equal.
-inline Real flow(const KernelStep& step, const BondSlot& slot, std::size_t lane, const Mask& live, const Real& length,
-                 const Constants& constants) {
+/// Viscoplastic flow (P2): the rest length moves towards the present length by a share of the strain beyond
+/// yield. Both ends compute the same length from the same numbers, so their two copies stay equal.
+inline Real flow(const KernelStep& step, const BondSlot& slot, std::size_t lane, const Mask& live,
+                 const Real& length, const Constants& constants) {
   const MaterialNow& material = step.materials[slot.material];
   const Real extension = length - constants.restLength;
   const Real excess = stdx::fabs(extension) - material.yieldStrain * constants.restLength;
@@ -85,8 +89,8 @@ inline Real flow(const KernelStep& step, const BondSlot& slot, std::size_t lane,
 }
 
 template <bool kGathered>
-inline void addSlot(const KernelStep& step, const BondSlot& slot, std::size_t node, std::size_t lane, unsigned bits,
-                    const Triple& position, const Triple& velocity, Gathered& sum) {
+inline void addSlot(const KernelStep& step, const BondSlot& slot, std::size_t node, std::size_t lane,
+                    unsigned bits, const Triple& position, const Triple& velocity, Gathered& sum) {
   Triple there;
   Triple movesThere;
   if constexpr (kGathered) {
@@ -122,7 +126,8 @@ inline void addSlot(const KernelStep& step, const BondSlot& slot, std::size_t no
     sum.suspect |= stdx::any_of(stretched && live);
   }
   const Real elastic = constants.stiffness * extension * inverse;
-  const Real approach = (movesThere.x - velocity.x) * dx + (movesThere.y - velocity.y) * dy + (movesThere.z - velocity.z) * dz;
+  const Real approach =
+      (movesThere.x - velocity.x) * dx + (movesThere.y - velocity.y) * dy + (movesThere.z - velocity.z) * dz;
   const Real lossy = constants.damping * approach * inverse * inverse;
   sum.forceX += elastic * dx;
   sum.forceY += elastic * dy;
@@ -142,8 +147,9 @@ inline void addExternal(const KernelStep& step, std::size_t node, Gathered& sum)
 }
 
 /// Kick and drift of one coordinate; returns the work done against lossy forces.
-inline Real moveAxis(const KernelStep& step, int axis, std::size_t node, const Real& position, const Real& velocity,
-                     const Real& force, const Real& lossy, const Real& inverseMass, Real& speedSquared) {
+inline Real moveAxis(const KernelStep& step, int axis, std::size_t node, const Real& position,
+                     const Real& velocity, const Real& force, const Real& lossy, const Real& inverseMass,
+                     Real& speedSquared) {
   Real acceleration = (force + lossy) * inverseMass + step.gravity[axis];
   where(inverseMass == 0.0, acceleration) = 0.0;
   const Real next = velocity + step.kick * acceleration;
@@ -178,8 +184,8 @@ inline void stepLanes(const KernelStep& step, std::size_t block, std::size_t lan
   work += moveAxis(step, 1, node, position.y, velocity.y, sum.forceY, sum.lossyY, inverseMass, speedSquared);
   work += moveAxis(step, 2, node, position.z, velocity.z, sum.forceZ, sum.lossyZ, inverseMass, speedSquared);
 
-  // Lane by lane in fixed order: the width of the vectors must not show in the sum. A comparison with NaN is false, so
-  // the largest is kept only where it is shown to be the larger.
+  // Lane by lane in fixed order: the width of the vectors must not show in the sum. A comparison with NaN is
+  // false, so the largest is kept only where it is shown to be the larger.
   for (std::size_t l = 0; l < kWidth; ++l) {
     report.dissipated += work[l];
     if (!(speedSquared[l] <= report.largestSpeedSquared)) report.largestSpeedSquared = speedSquared[l];

@@ -9,10 +9,11 @@
 namespace sim {
 namespace {
 
-/// Directions shared by fewer lanes of a block than this are gathered: a contiguous slot costs about as much as a gathered
-/// one of the same number of lanes, but gathered slots pack several directions together.
+/// Directions shared by fewer lanes of a block than this are gathered: a contiguous slot costs about as much
+/// as a gathered one of the same number of lanes, but gathered slots pack several directions together.
 constexpr std::size_t kFewestContiguous = 4;
-/// Slots test against slightly less than the smallest threshold, since that is rounded to float; the exact test follows.
+/// Slots test against slightly less than the smallest threshold, since that is rounded to float; the exact
+/// test follows.
 constexpr float kFloorShare = 1.0F - 1e-6F;
 
 /// One end of one bond.
@@ -29,7 +30,8 @@ struct LowerRows {
   std::vector<BondIndex> bonds;
   std::vector<NodeIndex> starts;
 
-  explicit LowerRows(const Network& network) : first(network.nodeCount() + 1, 0), bonds(network.bondCount()), starts(network.bondCount()) {
+  explicit LowerRows(const Network& network)
+      : first(network.nodeCount() + 1, 0), bonds(network.bondCount()), starts(network.bondCount()) {
     for (const NodeIndex end : network.bondEnds) ++first[end + 1];
     for (std::size_t n = 0; n < network.nodeCount(); ++n) first[n + 1] += first[n];
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
@@ -68,7 +70,8 @@ class BondLayout::Builder {
       first = last;
     }
     addGathered(block);
-    layout_.slotCount_.push_back(static_cast<std::uint16_t>(layout_.slots_.size() - layout_.firstSlot_.back()));
+    layout_.slotCount_.push_back(
+        static_cast<std::uint16_t>(layout_.slots_.size() - layout_.firstSlot_.back()));
   }
 
  private:
@@ -77,17 +80,22 @@ class BondLayout::Builder {
     const std::size_t begin = block * kBlockNodes;
     const std::size_t end = std::min(begin + kBlockNodes, network_.nodeCount());
     for (std::size_t node = begin; node < end; ++node) {
-      for (std::uint32_t p = lower_.first[node]; p < lower_.first[node + 1]; ++p) add(node, lower_.starts[p], lower_.bonds[p], begin);
-      for (BondIndex b = network_.firstBond[node]; b < network_.firstBond[node + 1]; ++b) add(node, network_.bondEnds[b], b, begin);
+      for (std::uint32_t p = lower_.first[node]; p < lower_.first[node + 1]; ++p)
+        add(node, lower_.starts[p], lower_.bonds[p], begin);
+      for (BondIndex b = network_.firstBond[node]; b < network_.firstBond[node + 1]; ++b)
+        add(node, network_.bondEnds[b], b, begin);
     }
     std::sort(halves_.begin(), halves_.end(), [](const HalfBond& left, const HalfBond& right) {
-      return std::tuple(left.offset, left.material, left.lane) < std::tuple(right.offset, right.material, right.lane);
+      return std::tuple(left.offset, left.material, left.lane) <
+             std::tuple(right.offset, right.material, right.lane);
     });
   }
 
   void add(std::size_t node, NodeIndex neighbour, BondIndex bond, std::size_t begin) {
-    halves_.push_back({static_cast<std::int32_t>(static_cast<std::int64_t>(neighbour) - static_cast<std::int64_t>(node)),
-                       static_cast<std::uint8_t>(node - begin), static_cast<std::uint8_t>(network_.bond(bond).material), bond});
+    halves_.push_back(
+        {static_cast<std::int32_t>(static_cast<std::int64_t>(neighbour) - static_cast<std::int64_t>(node)),
+         static_cast<std::uint8_t>(node - begin), static_cast<std::uint8_t>(network_.bond(bond).material),
+         bond});
   }
 
   /// Packs what is left, material by material: the n-th leftover of each lane shares a slot.
@@ -100,7 +108,8 @@ class BondLayout::Builder {
       layer.clear();
       std::vector<HalfBond> later;
       for (const HalfBond& half : rest_) {
-        const bool fits = layer.empty() || (layer.back().material == half.material && layer.back().lane != half.lane);
+        const bool fits =
+            layer.empty() || (layer.back().material == half.material && layer.back().lane != half.lane);
         (fits ? layer : later).push_back(half);
       }
       addSlot(layer, block, true);
@@ -116,8 +125,8 @@ class BondLayout::Builder {
     slot.gathered = gathered;
     slot.plastic = std::isfinite(material.yieldStrain) && material.flowRate > 0.0;
     slot.varied = slot.plastic || std::any_of(run.begin(), run.end(), [&](const HalfBond& half) {
-      return network_.bondClasses[half.bond] != network_.bondClasses[run.front().bond];
-    });
+                    return network_.bondClasses[half.bond] != network_.bondClasses[run.front().bond];
+                  });
     slot.thresholdFloor = std::numeric_limits<float>::infinity();
     for (const HalfBond& half : run) {
       slot.live = static_cast<std::uint16_t>(slot.live | (1U << half.lane));
@@ -183,7 +192,8 @@ BondLayout::Place BondLayout::find(NodeIndex node, NodeIndex neighbour) const {
   for (BondSlot* slot = first; slot != first + slotCount_[block]; ++slot) {
     if (((slot->live >> lane) & 1U) == 0) continue;
     const bool here = slot->gathered ? gathers_[slot->gather + lane] == neighbour
-                                     : static_cast<std::int64_t>(node) + slot->offset == static_cast<std::int64_t>(neighbour);
+                                     : static_cast<std::int64_t>(node) + slot->offset ==
+                                           static_cast<std::int64_t>(neighbour);
     if (here) return {slot, lane};
   }
   return {};
@@ -226,7 +236,8 @@ std::vector<double> BondLayout::plasticRestLengths() const {
   std::vector<double> lengths;
   if (!hasPlastic_) return lengths;
   lengths.reserve(lanes_.size() * kBlockNodes);
-  for (const SlotLanes& lanes : lanes_) lengths.insert(lengths.end(), std::begin(lanes.restLength), std::end(lanes.restLength));
+  for (const SlotLanes& lanes : lanes_)
+    lengths.insert(lengths.end(), std::begin(lanes.restLength), std::end(lanes.restLength));
   return lengths;
 }
 
@@ -234,12 +245,14 @@ void BondLayout::setPlasticRestLengths(std::span<const double> lengths) {
   if (!hasPlastic_) return;
   assert(lengths.size() == lanes_.size() * kBlockNodes);
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    std::copy_n(lengths.begin() + static_cast<std::ptrdiff_t>(i * kBlockNodes), kBlockNodes, std::begin(lanes_[i].restLength));
+    std::copy_n(lengths.begin() + static_cast<std::ptrdiff_t>(i * kBlockNodes), kBlockNodes,
+                std::begin(lanes_[i].restLength));
   }
 }
 
 std::size_t BondLayout::memoryBytes() const {
-  return slots_.capacity() * sizeof(BondSlot) + (firstSlot_.capacity() + gathers_.capacity()) * sizeof(std::uint32_t) +
+  return slots_.capacity() * sizeof(BondSlot) +
+         (firstSlot_.capacity() + gathers_.capacity()) * sizeof(std::uint32_t) +
          slotCount_.capacity() * sizeof(std::uint16_t) + lanes_.capacity() * sizeof(SlotLanes);
 }
 

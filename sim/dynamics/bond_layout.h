@@ -8,9 +8,10 @@
 
 namespace sim {
 
-/// The network's bonds as the kernel reads them: for each block of sixteen nodes the slots of its directions, ordered by
-/// offset, with the irregular rest in gathered slots. Always built from the whole network, then bonds are removed one by
-/// one, so that the order of sums, and with it every bit of the result, depends on what broke and not on when it was built.
+/// The network's bonds as the kernel reads them: for each block of sixteen nodes the slots of its directions,
+/// ordered by offset, with the irregular rest in gathered slots. Always built from the whole network, then
+/// bonds are removed one by one, so that the order of sums, and with it every bit of the result, depends on
+/// what broke and not on when it was built.
 class BondLayout {
  public:
   explicit BondLayout(const Network& network);

@@ -24,9 +24,14 @@ double reachOf(const Collider& collider) {
 }  // namespace
 
 Controls::Controls(const Network& network, Environment environment, std::vector<Track> tracks)
-    : environment_(std::move(environment)), tracks_(std::move(tracks)), gravity_(environment_.gravity), materials_(network.materials.size()) {
-  for (const Collider& collider : environment_.colliders) colliders_.push_back({collider, Vec3::Zero(), Vec3::Zero()});
-  for (std::size_t m = 0; m < materials_.size(); ++m) materials_[m].yieldStrain = network.materials[m].yieldStrain;
+    : environment_(std::move(environment)),
+      tracks_(std::move(tracks)),
+      gravity_(environment_.gravity),
+      materials_(network.materials.size()) {
+  for (const Collider& collider : environment_.colliders)
+    colliders_.push_back({collider, Vec3::Zero(), Vec3::Zero()});
+  for (std::size_t m = 0; m < materials_.size(); ++m)
+    materials_[m].yieldStrain = network.materials[m].yieldStrain;
 }
 
 Controls::Change Controls::moveTo(double time) {
@@ -51,9 +56,11 @@ Controls::Change Controls::moveTo(double time) {
   gravity *= gravityScale;
   change.gravity = gravity != gravity_;
   gravity_ = gravity;
-  change.stiffness = !std::equal(materials.begin(), materials.end(), materials_.begin(), [](const MaterialNow& left, const MaterialNow& right) {
-    return left.stiffnessScale == right.stiffnessScale && left.dampingScale == right.dampingScale;
-  });
+  change.stiffness = !std::equal(materials.begin(), materials.end(), materials_.begin(),
+                                 [](const MaterialNow& left, const MaterialNow& right) {
+                                   return left.stiffnessScale == right.stiffnessScale &&
+                                          left.dampingScale == right.dampingScale;
+                                 });
   materials_ = std::move(materials);
   return change;
 }
@@ -77,17 +84,20 @@ bool Controls::moveColliders(double time) {
       const double angle = rotation.norm();
       const Vec3 axis = angle > 0.0 ? Vec3(rotation / angle) : Vec3(Vec3::UnitZ());
       const Eigen::Quaterniond before = collider.shape.rotation;
-      collider.shape.rotation = Eigen::AngleAxisd(angle, axis) * environment_.colliders[track.object].rotation;
+      collider.shape.rotation =
+          Eigen::AngleAxisd(angle, axis) * environment_.colliders[track.object].rotation;
       // Exact where the axis stays the same between keys, which is what keys of a turn are.
       collider.angularVelocity = track.slopeAt(time);
-      colliderTravel_ = std::max(colliderTravel_, before.angularDistance(collider.shape.rotation) * reachOf(collider.shape));
+      colliderTravel_ = std::max(colliderTravel_,
+                                 before.angularDistance(collider.shape.rotation) * reachOf(collider.shape));
     }
   }
   return moved;
 }
 
 void Controls::setFlow(const Network& network, double step) {
-  for (std::size_t m = 0; m < materials_.size(); ++m) materials_[m].flow = std::min(1.0, network.materials[m].flowRate * step);
+  for (std::size_t m = 0; m < materials_.size(); ++m)
+    materials_[m].flow = std::min(1.0, network.materials[m].flowRate * step);
 }
 
 double Controls::largestStiffnessScale() const {

@@ -20,6 +20,7 @@ class Controls {
     bool colliders = false;
   };
   Change moveTo(double time);
+  bool hasTracks() const { return !tracks_.empty(); }
 
   const Vec3& gravity() const { return gravity_; }
   const std::vector<MovingCollider>& colliders() const { return colliders_; }

@@ -1,10 +1,10 @@
 #include "sim/dynamics/ledger.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <tbb/parallel_for.h>
 
 namespace sim {
 namespace {
@@ -21,11 +21,13 @@ double slotEnergy(const KernelStep& step, const BondSlot& slot, std::size_t bloc
   for (unsigned lane = 0; lane < kBlockNodes; ++lane) {
     if (((static_cast<unsigned>(slot.live) >> lane) & 1U) == 0) continue;
     const std::size_t node = block * kBlockNodes + lane;
-    const std::size_t other = slot.gathered ? step.gathers[slot.gather + lane]
-                                            : static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + slot.offset);
+    const std::size_t other = slot.gathered
+                                  ? step.gathers[slot.gather + lane]
+                                  : static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + slot.offset);
     if (other < node) continue;
     double squared = 0.0;
-    for (const double* axis : step.now.position) squared += (axis[other] - axis[node]) * (axis[other] - axis[node]);
+    for (const double* axis : step.now.position)
+      squared += (axis[other] - axis[node]) * (axis[other] - axis[node]);
     const double restLength = slot.varied ? step.lanes[slot.lanes].restLength[lane] : slot.restLength;
     const double stiffness = slot.varied ? step.lanes[slot.lanes].stiffness[lane] : slot.stiffness;
     const double extension = std::sqrt(squared) - restLength;
@@ -41,7 +43,8 @@ double elasticEnergy(const KernelStep& step, std::size_t blockCount) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blockCount, 64), [&](const auto& part) {
     for (std::size_t block = part.begin(); block < part.end(); ++block) {
       const BondSlot* const first = step.slots + step.firstSlot[block];
-      for (const BondSlot* slot = first; slot != first + step.slotCount[block]; ++slot) ofBlock[block] += slotEnergy(step, *slot, block);
+      for (const BondSlot* slot = first; slot != first + step.slotCount[block]; ++slot)
+        ofBlock[block] += slotEnergy(step, *slot, block);
     }
   });
   double sum = 0.0;
@@ -58,8 +61,8 @@ Vec3 Ledger::massMoved(const NodeVectors& position) const {
   return sum;
 }
 
-LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity, double elastic,
-                       double contact, const Vec3& gravity) const {
+LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity,
+                       double elastic, double contact, const Vec3& gravity) const {
   LedgerRow row;
   row.time = time;
   row.step = step;
@@ -75,7 +78,8 @@ LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, co
     row.angularMomentum += mass * position.get(node).cross(moves);
   }
   row.energy.gravity = -gravity.dot(massMoved(position));
-  row.energy.residual = row.energy.mechanical() + flows_.dissipated + flows_.released - flows_.outsideWork - start_;
+  row.energy.residual =
+      row.energy.mechanical() + flows_.dissipated + flows_.released - flows_.outsideWork - start_;
   return row;
 }
 
@@ -93,24 +97,29 @@ bool Ledger::watch(const LedgerRow& row) {
   scale_ = std::max(scale_, active);
   double mass = 0.0;
   for (const double one : network_->masses) mass += std::isfinite(one) ? one : 0.0;
-  const double budget = startActive_ + std::max(0.0, row.energy.outsideWork) + std::max(0.0, -row.energy.gravity);
+  const double budget =
+      startActive_ + std::max(0.0, row.energy.outsideWork) + std::max(0.0, -row.energy.gravity);
   return std::isfinite(active) && active <= kBlowUp * budget + mass * kSlowest * kSlowest;
 }
 
-double Ledger::maxRise() const { return scale_ > 0.0 ? largestRise_ / scale_ : 0.0; }
+double Ledger::maxRise() const {
+  return scale_ > 0.0 ? largestRise_ / scale_ : 0.0;
+}
 
 double Ledger::gravityWork(const NodeVectors& position, const Vec3& before, const Vec3& after) const {
   return -(after - before).dot(massMoved(position));
 }
 
 void Ledger::save(ByteWriter& writer) const {
-  for (const double value : {flows_.dissipated, flows_.released, flows_.outsideWork, start_, lowest_, largestRise_, scale_, startActive_}) {
+  for (const double value : {flows_.dissipated, flows_.released, flows_.outsideWork, start_, lowest_,
+                             largestRise_, scale_, startActive_}) {
     writer.put(value);
   }
 }
 
 bool Ledger::load(ByteReader& reader) {
-  for (double* value : {&flows_.dissipated, &flows_.released, &flows_.outsideWork, &start_, &lowest_, &largestRise_, &scale_, &startActive_}) {
+  for (double* value : {&flows_.dissipated, &flows_.released, &flows_.outsideWork, &start_, &lowest_,
+                        &largestRise_, &scale_, &startActive_}) {
     reader.read(*value);
   }
   return reader.ok();

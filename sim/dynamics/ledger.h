@@ -13,8 +13,8 @@ double elasticEnergy(const KernelStep& step, std::size_t blockCount);
 
 /// The account of energy (B3): what flowed where since the start, and whether it adds up.
 ///
-/// The dampers' and frictions' work is exact in the discrete motion (see bond_kernel_body.h), so the residual holds what
-/// the time step itself gets wrong, and nothing else.
+/// The dampers' and frictions' work is exact in the discrete motion (see bond_kernel_body.h), so the residual
+/// holds what the time step itself gets wrong, and nothing else.
 class Ledger {
  public:
   explicit Ledger(const Network& network) : network_(&network) {}
@@ -24,11 +24,12 @@ class Ledger {
   void addOutsideWork(double energy) { flows_.outsideWork += energy; }
 
   /// Draws up the account at one moment: velocities at that moment, elastic and contact energy as they are.
-  LedgerRow draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity, double elastic, double contact,
-                 const Vec3& gravity) const;
+  LedgerRow draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity,
+                 double elastic, double contact, const Vec3& gravity) const;
   /// Takes a row as the start, against which residuals are counted.
   void begin(const LedgerRow& row);
-  /// Looks at a row for rises of energy that nothing explains. False when the energy is past all bounds: a blow-up.
+  /// Looks at a row for rises of energy that nothing explains. False when the energy is past all bounds: a
+  /// blow-up.
   bool watch(const LedgerRow& row);
 
   double maxRise() const;
@@ -43,12 +44,12 @@ class Ledger {
   Vec3 massMoved(const NodeVectors& position) const;
 
   const Network* network_;
-  Energy flows_;  ///< dissipated, released, outsideWork since the start
-  double start_ = 0.0;          ///< mechanical energy at the start, erg
-  double lowest_ = 0.0;         ///< of mechanical - outsideWork so far, erg
-  double largestRise_ = 0.0;    ///< above the lowest before, erg
-  double scale_ = 0.0;          ///< the most energy seen in motion, bonds and contacts, erg
-  double startActive_ = 0.0;    ///< that of the start, erg
+  Energy flows_;              ///< dissipated, released, outsideWork since the start
+  double start_ = 0.0;        ///< mechanical energy at the start, erg
+  double lowest_ = 0.0;       ///< of mechanical - outsideWork so far, erg
+  double largestRise_ = 0.0;  ///< above the lowest before, erg
+  double scale_ = 0.0;        ///< the most energy seen in motion, bonds and contacts, erg
+  double startActive_ = 0.0;  ///< that of the start, erg
 };
 
 }  // namespace sim

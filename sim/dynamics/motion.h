@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// A vector a node, one array a coordinate, padded on both sides: the kernel reads whole blocks at a neighbour's offset,
-/// so up to fifteen nodes before the first and behind the last. Padding is zero.
+/// A vector a node, one array a coordinate, padded on both sides: the kernel reads whole blocks at a
+/// neighbour's offset, so up to fifteen nodes before the first and behind the last. Padding is zero.
 class NodeVectors {
  public:
   NodeVectors() = default;
@@ -39,7 +39,8 @@ class NodeVectors {
   std::array<AlignedVector<double>, 3> arrays_;
 };
 
-/// Positions at one time and velocities, which for velocity Verlet are half a step behind (leapfrog; see Stepper).
+/// Positions at one time and velocities, which for velocity Verlet are half a step behind (leapfrog; see
+/// Stepper).
 struct Motion {
   NodeVectors position;
   NodeVectors velocity;

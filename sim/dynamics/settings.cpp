@@ -15,6 +15,8 @@ std::optional<Method> methodFromName(std::string_view name) {
   return static_cast<Method>(found - methodNames().begin());
 }
 
-std::string_view nameOf(Method method) { return methodNames()[static_cast<std::size_t>(method)]; }
+std::string_view nameOf(Method method) {
+  return methodNames()[static_cast<std::size_t>(method)];
+}
 
 }  // namespace sim

@@ -1,9 +1,10 @@
 #include "sim/dynamics/stable_step.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Eigenvalues>
 
 #include "sim/base/random.h"
 
@@ -16,7 +17,9 @@ constexpr int kPowerSteps = 20;
 /// Different cells whose eigenvalues are computed before the rest is bounded by row sums alone.
 constexpr std::size_t kMostCells = 400;
 
-double inverseMass(const Network& network, NodeIndex node) { return 1.0 / network.masses[node]; }
+double inverseMass(const Network& network, NodeIndex node) {
+  return 1.0 / network.masses[node];
+}
 
 /// Gershgorin's bound of the eigenvalues of M^-1/2 K M^-1/2, all nodes.
 double nodeBound(const Network& network) {
@@ -33,11 +36,12 @@ double nodeBound(const Network& network) {
   return *std::max_element(rowSum.begin(), rowSum.end());
 }
 
-/// Splits stiffness of bonds and mass of nodes evenly among the cells that hold them: the largest eigenvalue of any cell
-/// by itself bounds those of the whole.
+/// Splits stiffness of bonds and mass of nodes evenly among the cells that hold them: the largest eigenvalue
+/// of any cell by itself bounds those of the whole.
 class CellBound {
  public:
-  explicit CellBound(const Network& network) : network_(network), cellsOfNode_(network.nodeCount(), 0), cellsOfBond_(network.bondCount(), 0) {
+  explicit CellBound(const Network& network)
+      : network_(network), cellsOfNode_(network.nodeCount(), 0), cellsOfBond_(network.bondCount(), 0) {
     for (const CellCorners& corners : network.cells) {
       for (const NodeIndex corner : corners) ++cellsOfNode_[corner];
       forEachBond(corners, [&](std::size_t, std::size_t, BondIndex bond) { ++cellsOfBond_[bond]; });
@@ -46,7 +50,8 @@ class CellBound {
 
   /// Bonds outside all cells are not covered: then the node bound must serve.
   bool coversAll() const {
-    return std::none_of(cellsOfBond_.begin(), cellsOfBond_.end(), [](std::uint16_t cells) { return cells == 0; });
+    return std::none_of(cellsOfBond_.begin(), cellsOfBond_.end(),
+                        [](std::uint16_t cells) { return cells == 0; });
   }
 
   double bound() const {
@@ -130,7 +135,8 @@ double powerEstimate(const Network& network) {
   std::vector<Vec3> vector(count);
   std::vector<Vec3> image(count);
   for (std::size_t n = 0; n < count; ++n) {
-    for (std::size_t k = 0; k < 3; ++k) vector[n][static_cast<Eigen::Index>(k)] = uniformAt(1, 3 * n + k) - 0.5;
+    for (std::size_t k = 0; k < 3; ++k)
+      vector[n][static_cast<Eigen::Index>(k)] = uniformAt(1, 3 * n + k) - 0.5;
   }
   double eigenvalue = 0.0;
   for (int step = 0; step < kPowerSteps; ++step) {
@@ -186,12 +192,14 @@ double stableStep(const Spectrum& spectrum, const Stiffening& stiffening, Method
   const double internal = spectrum.highestFrequency * spectrum.highestFrequency;
   const double total = std::sqrt(internal * stiffening.stiffnessScale + stiffening.contactRateSquared);
   if (!(total > 0.0)) return std::numeric_limits<double>::infinity();
-  const double rate = spectrum.longestDamping * stiffening.dampingScale * internal + stiffening.contactDamping;
+  const double rate =
+      spectrum.longestDamping * stiffening.dampingScale * internal + stiffening.contactDamping;
   const double zeta = rate / (2.0 * total);
   // sqrt(1 + zeta^2) - zeta without its cancellation where damping is strong.
   const double step = safety * (2.0 / total) / (std::sqrt(1.0 + zeta * zeta) + zeta);
   if (method != Method::forwardEuler) return step;
-  return std::min(step, safety * spectrum.shortestDamping * stiffening.dampingScale / stiffening.stiffnessScale);
+  return std::min(step,
+                  safety * spectrum.shortestDamping * stiffening.dampingScale / stiffening.stiffnessScale);
 }
 
 }  // namespace sim

@@ -7,9 +7,10 @@ namespace sim {
 
 /// What limits the step of an explicit method, of the whole network with every scale at 1 (docs/numerics.md).
 struct Spectrum {
-  double highestFrequency = 0.0;  ///< omega, rad/s: an upper bound, at most a few per cent above the truth where there are cells
-  double longestDamping = 0.0;    ///< largest d / k of a bond, s
-  double shortestDamping = 0.0;   ///< smallest d / k of a bond, s
+  double highestFrequency =
+      0.0;  ///< omega, rad/s: an upper bound, at most a few per cent above the truth where there are cells
+  double longestDamping = 0.0;   ///< largest d / k of a bond, s
+  double shortestDamping = 0.0;  ///< smallest d / k of a bond, s
 };
 
 /// omega = min(bound by cells or by nodes, 1.03 times 20 power iterations). Breaking only lowers it.
@@ -23,8 +24,8 @@ struct Stiffening {
   double contactDamping = 0.0;      ///< 1/s
 };
 
-/// dt = safety (2 / omega)(sqrt(1 + zeta^2) - zeta), contacts counted in; for forward Euler at most safety d / k (zero when
-/// undamped: then no step is stable). Infinite when nothing limits the step.
+/// dt = safety (2 / omega)(sqrt(1 + zeta^2) - zeta), contacts counted in; for forward Euler at most safety d
+/// / k (zero when undamped: then no step is stable). Infinite when nothing limits the step.
 double stableStep(const Spectrum& spectrum, const Stiffening& stiffening, Method method, double safety);
 
 }  // namespace sim

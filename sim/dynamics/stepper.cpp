@@ -1,11 +1,9 @@
 #include "sim/dynamics/stepper.h"
 
-#include <tbb/parallel_for.h>
-#include <xxhash.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include <tbb/parallel_for.h>
 
 namespace sim {
 namespace {
@@ -19,11 +17,10 @@ constexpr double kStepGrowth = 1.1;
 /// Frames are due when the time is within this share of a step.
 constexpr double kTimeSlack = 1e-6;
 
-double lengthOf(const NodeVectors& position, NodeIndex a, NodeIndex b) { return (position.get(b) - position.get(a)).norm(); }
-
 }  // namespace
 
-Stepper::Stepper(Network network, Environment environment, std::vector<Track> tracks, const Settings& settings)
+Stepper::Stepper(Network network, Environment environment, std::vector<Track> tracks,
+                 const Settings& settings)
     : network_(std::move(network)),
       settings_(settings),
       spectrum_(measureSpectrum(network_)),
@@ -54,7 +51,9 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
   });
 }
 
-Contacts::Moment Stepper::moment() const { return {now_, controls_.colliders(), controls_.materials(), step_}; }
+Contacts::Moment Stepper::moment() const {
+  return {now_, controls_.colliders(), controls_.materials(), step_};
+}
 
 double Stepper::potentialEnergy() const {
   Motion unused;
@@ -63,10 +62,13 @@ double Stepper::potentialEnergy() const {
 
 /// Tracks change the world at fixed positions; what that does to the energy is work from outside.
 void Stepper::applyControls() {
+  if (!controls_.hasTracks()) return;
   const Vec3 gravityBefore = controls_.gravity();
   Controls ahead = controls_;
-  const Controls::Change change = ahead.moveTo(time());
-  if (change.gravity) ledger_.addOutsideWork(ledger_.gravityWork(now_.position, gravityBefore, ahead.gravity()));
+  controlsTime_ = time();
+  const Controls::Change change = ahead.moveTo(controlsTime_);
+  if (change.gravity)
+    ledger_.addOutsideWork(ledger_.gravityWork(now_.position, gravityBefore, ahead.gravity()));
   if (change.stiffness) {
     const double before = potentialEnergy();
     controls_ = std::move(ahead);
@@ -90,7 +92,8 @@ void Stepper::chooseStep() {
     return;
   }
   const Contacts::Stiffest stiffest = contacts_.stiffest(moment());
-  const Stiffening stiffening{controls_.largestStiffnessScale(), controls_.largestDampingScale(), stiffest.rateSquared, stiffest.damping};
+  const Stiffening stiffening{controls_.largestStiffnessScale(), controls_.largestDampingScale(),
+                              stiffest.rateSquared, stiffest.damping};
   const double stable = stableStep(spectrum_, stiffening, settings_.method, settings_.safety);
   // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
   constexpr double kLongest = 1e-2;
@@ -132,7 +135,8 @@ void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& report
   }
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, blocks, kBlockGrain),
-      [&](const auto& part) { kernel_(step, part.begin(), part.end(), reports.data()); }, tbb::static_partitioner());
+      [&](const auto& part) { kernel_(step, part.begin(), part.end(), reports.data()); },
+      tbb::static_partitioner());
 }
 
 Status Stepper::stepInArena() {
@@ -194,7 +198,8 @@ Problem Stepper::blowUp(const char* what) const {
   const std::string& part = network_.partNames[network_.nodeParts[worst]];
   const std::string& material = network_.materials[network_.nodeMaterials[worst]].name;
   return {"t = " + std::to_string(time()) + " s",
-          "the motion blew up: node " + std::to_string(worst) + " of part '" + part + "' (material '" + material + "') " + what,
+          "the motion blew up: node " + std::to_string(worst) + " of part '" + part + "' (material '" +
+              material + "') " + what,
           "take a smaller step, or leave the step automatic"};
 }
 
@@ -206,13 +211,14 @@ Status Stepper::watchEnergy() {
 LedgerRow Stepper::drawLedger(const NodeVectors& velocities) const {
   Motion unused;
   const double elastic = elasticEnergy(kernelStep(now_, unused), layout_.blockCount());
-  return ledger_.draw(time(), step_, now_.position, velocities, elastic, contacts_.energy(moment()), controls_.gravity());
+  return ledger_.draw(time(), step_, now_.position, velocities, elastic, contacts_.energy(moment()),
+                      controls_.gravity());
 }
 
 NodeVectors Stepper::velocitiesNow() const {
   if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return now_.velocity;
-  // Half the last step's kick more, without moving anything. Contact forces are those of these positions: what computing
-  // them changes (contacts that grow while apart) the next step would change alike.
+  // Half the last step's kick more, without moving anything. Contact forces are those of these positions:
+  // what computing them changes (contacts that grow while apart) the next step would change alike.
   Motion ahead{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())};
   std::vector<BlockReport> reports(layout_.blockCount());
   arena_.execute([&] {

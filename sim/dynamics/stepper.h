@@ -12,18 +12,23 @@ namespace sim {
 /// The inside of Simulation: one step after the other.
 ///
 /// All three methods are one recurrence, v' = v + kick a(x, v), x' = x + drift w (bond_kernel.h):
-/// - velocity Verlet as leapfrog: v is half a step behind x (Motion), kick is half the last step plus half the next (zero at
-///   the start), w = v'. The velocity at the time of x is v + half the last step times a, computed only where it is shown,
-///   so that looking never changes the motion. It is the same trajectory as kick-drift-kick (LAMMPS fix nve), with dampers and
-///   friction acting on the half-step velocity as there.
+/// - velocity Verlet as leapfrog: v is half a step behind x (Motion), kick is half the last step plus half
+/// the next (zero at
+///   the start), w = v'. The velocity at the time of x is v + half the last step times a, computed only where
+///   it is shown, so that looking never changes the motion. It is the same trajectory as kick-drift-kick
+///   (LAMMPS fix nve), with dampers and friction acting on the half-step velocity as there.
 /// - symplectic Euler: kick = dt, w = v'.
 /// - forward Euler exactly as printed (paper, "Dynamics"; P7): kick = dt, w = v, the old velocity.
 ///
-/// Order within a step: tracks; contact rows, if stale; contact forces; kernel (forces of bonds, move); then bonds that
-/// were overstretched at the step's beginning break, their cells with them, and fragments are relabelled.
+/// Order within a step: tracks; contact rows, if stale; contact forces; kernel (forces of bonds, move); then
+/// bonds that were overstretched at the step's beginning break, their cells with them, and fragments are
+/// relabelled.
 class Stepper {
  public:
   Stepper(Network network, Environment environment, std::vector<Track> tracks, const Settings& settings);
+  // Its parts point at each other.
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
 
   Status advanceTo(double until);
   Status stepOnce();
@@ -88,8 +93,9 @@ class Stepper {
 
   double segmentStart_ = 0.0;  ///< s: when the present step size began
   std::uint64_t segmentSteps_ = 0;
-  double step_ = 0.0;      ///< s
-  double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
+  double step_ = 0.0;          ///< s
+  double lastStep_ = 0.0;      ///< s: of the step before; zero at the start
+  double controlsTime_ = 0.0;  ///< s: when the tracks were last applied
   mutable tbb::task_arena arena_;
 };
 

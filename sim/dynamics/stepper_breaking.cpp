@@ -29,8 +29,8 @@ std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
   return found;
 }
 
-/// Takes a broken bond out of the lattice. Its tension energy is dropped, by rule 1 of docs/numerics.md; in compression it
-/// keeps its energy and goes on repelling (P4).
+/// Takes a broken bond out of the lattice. Its tension energy is dropped, by rule 1 of docs/numerics.md; in
+/// compression it keeps its energy and goes on repelling (P4).
 void Stepper::loseBond(const BreakEvent& event) {
   const BondClass& bond = network_.bond(event.bond);
   const double restLength = layout_.restLength(network_, event.bond);
@@ -45,7 +45,8 @@ void Stepper::breakOverstretched() {
   const std::vector<Breakage::Overstretched> overstretched = findOverstretched();
   if (overstretched.empty()) return;
   const std::size_t before = events_.size();
-  breakage_.breakBonds(overstretched, time() - step_, [&](BondIndex bond) { return strainBefore(bond); }, events_);
+  breakage_.breakBonds(
+      overstretched, time() - step_, [&](BondIndex bond) { return strainBefore(bond); }, events_);
   const std::span<const BreakEvent> fresh = std::span<const BreakEvent>(events_).subspan(before);
   for (const BreakEvent& event : fresh) loseBond(event);
   if (components_.relabel(layout_, fresh, time())) contacts_.noteBirths();

@@ -8,10 +8,12 @@ namespace {
 /// Changes with the layout of checkpoints, so that a run is never resumed from one it cannot read.
 constexpr std::uint32_t kCheckpointVersion = 1;
 
-const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged", "resume from an earlier one, or run again"};
+const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
+                       "resume from an earlier one, or run again"};
 
 void saveVectors(ByteWriter& writer, const NodeVectors& vectors) {
-  for (std::size_t k = 0; k < 3; ++k) writer.putVector(std::vector<double>(vectors.axis(k), vectors.axis(k) + vectors.size()));
+  for (std::size_t k = 0; k < 3; ++k)
+    writer.putVector(std::vector<double>(vectors.axis(k), vectors.axis(k) + vectors.size()));
 }
 
 bool loadVectors(ByteReader& reader, NodeVectors& vectors) {
@@ -29,7 +31,8 @@ std::uint64_t Stepper::stateHash() const {
   XXH3_state_t* state = XXH3_createState();
   XXH3_64bits_reset(state);
   for (const NodeVectors* vectors : {&now_.position, &now_.velocity}) {
-    for (std::size_t k = 0; k < 3; ++k) XXH3_64bits_update(state, vectors->axis(k), vectors->size() * sizeof(double));
+    for (std::size_t k = 0; k < 3; ++k)
+      XXH3_64bits_update(state, vectors->axis(k), vectors->size() * sizeof(double));
   }
   XXH3_64bits_update(state, breakage_.brokenBonds().data(), breakage_.brokenBonds().size());
   const double moment = time();
@@ -57,7 +60,7 @@ std::vector<std::byte> Stepper::checkpoint() const {
   contacts_.save(writer);
   ledger_.save(writer);
   writer.put(work_);
-  for (const double value : {segmentStart_, step_, lastStep_}) writer.put(value);
+  for (const double value : {segmentStart_, step_, lastStep_, controlsTime_}) writer.put(value);
   writer.put(segmentSteps_);
   return std::move(writer).take();
 }
@@ -95,7 +98,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   if (restLengths.size() != layout_.plasticRestLengths().size()) return kDamaged;
   if (!contacts_.load(reader, controls_.colliders().size()) || !ledger_.load(reader)) return kDamaged;
   reader.read(work_);
-  for (double* value : {&segmentStart_, &step_, &lastStep_}) reader.read(*value);
+  for (double* value : {&segmentStart_, &step_, &lastStep_, &controlsTime_}) reader.read(*value);
   reader.read(segmentSteps_);
   if (!reader.finished()) return kDamaged;
 
@@ -107,8 +110,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   layout_.setPlasticRestLengths(restLengths);
   breakage_.restore(std::move(brokenBonds), std::move(brokenCells));
   components_.restore(std::move(fragmentOfNode), std::move(fragments), work_.labelings);
-  // The tracks were last applied at the beginning of the step before: the next step moves them on from there.
-  controls_.moveTo(time() - lastStep_);
+  controls_.moveTo(controlsTime_);
   controls_.setFlow(network_, step_);
   next_ = now_;
   events_.clear();
@@ -117,8 +119,9 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
 
 std::size_t Stepper::memoryBytes() const {
   const std::size_t motion = 4 * now_.position.memoryBytes() + 2 * forces_.total.memoryBytes();
-  return sizeof(*this) + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() + components_.memoryBytes() +
-         contacts_.memoryBytes() + motion + inverseMasses_.capacity() * sizeof(double) + reports_.capacity() * sizeof(BlockReport) +
+  return sizeof(*this) + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() +
+         components_.memoryBytes() + contacts_.memoryBytes() + motion +
+         inverseMasses_.capacity() * sizeof(double) + reports_.capacity() * sizeof(BlockReport) +
          forces_.touched.capacity() + events_.capacity() * sizeof(BreakEvent);
 }
 

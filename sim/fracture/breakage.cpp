@@ -5,7 +5,10 @@
 namespace sim {
 
 Breakage::Breakage(const Network& network)
-    : network_(&network), bondBroken_(network.bondCount(), 0), cellBroken_(network.cellCount(), 0), firstCell_(network.nodeCount() + 1, 0) {
+    : network_(&network),
+      bondBroken_(network.bondCount(), 0),
+      cellBroken_(network.cellCount(), 0),
+      firstCell_(network.nodeCount() + 1, 0) {
   for (const CellCorners& corners : network.cells) {
     for (const NodeIndex corner : corners) ++firstCell_[corner + 1];
   }
@@ -17,7 +20,8 @@ Breakage::Breakage(const Network& network)
   }
 }
 
-void Breakage::markBond(BondIndex bond, CellIndex cause, float strain, double time, std::vector<BreakEvent>& events) {
+void Breakage::markBond(BondIndex bond, CellIndex cause, float strain, double time,
+                        std::vector<BreakEvent>& events) {
   bondBroken_[bond] = 1;
   ++brokenBondCount_;
   events.push_back({time, bond, network_->bondStart(bond), network_->bondEnds[bond], strain, cause});
@@ -28,7 +32,8 @@ std::vector<CellIndex> Breakage::cellsWith(BondIndex bond) const {
   const NodeIndex b = network_->bondEnds[bond];
   std::vector<CellIndex> cells;
   std::set_intersection(cellsOfNode_.begin() + firstCell_[a], cellsOfNode_.begin() + firstCell_[a + 1],
-                        cellsOfNode_.begin() + firstCell_[b], cellsOfNode_.begin() + firstCell_[b + 1], std::back_inserter(cells));
+                        cellsOfNode_.begin() + firstCell_[b], cellsOfNode_.begin() + firstCell_[b + 1],
+                        std::back_inserter(cells));
   return cells;
 }
 
@@ -59,14 +64,16 @@ void Breakage::restore(std::vector<std::uint8_t> brokenBonds, std::vector<std::u
   bondBroken_ = std::move(brokenBonds);
   cellBroken_ = std::move(brokenCells);
   const auto nonzero = [](const std::vector<std::uint8_t>& flags) {
-    return static_cast<std::uint64_t>(std::count_if(flags.begin(), flags.end(), [](std::uint8_t flag) { return flag != 0; }));
+    return static_cast<std::uint64_t>(
+        std::count_if(flags.begin(), flags.end(), [](std::uint8_t flag) { return flag != 0; }));
   };
   brokenBondCount_ = nonzero(bondBroken_);
   brokenCellCount_ = nonzero(cellBroken_);
 }
 
 std::size_t Breakage::memoryBytes() const {
-  return bondBroken_.capacity() + cellBroken_.capacity() + (firstCell_.capacity() + cellsOfNode_.capacity()) * sizeof(std::uint32_t);
+  return bondBroken_.capacity() + cellBroken_.capacity() +
+         (firstCell_.capacity() + cellsOfNode_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace sim

@@ -8,9 +8,9 @@
 
 namespace sim {
 
-/// Which bonds and cells are whole, and how breaking spreads (paper, "Cells"; P14, P15): when a bond breaks, every cell that
-/// contains it is broken; when every cell that contains a bond is broken, that bond breaks too. A cell contains every bond
-/// between two of its corners. A bond in no cell breaks alone.
+/// Which bonds and cells are whole, and how breaking spreads (paper, "Cells"; P14, P15): when a bond breaks,
+/// every cell that contains it is broken; when every cell that contains a bond is broken, that bond breaks
+/// too. A cell contains every bond between two of its corners. A bond in no cell breaks alone.
 class Breakage {
  public:
   explicit Breakage(const Network& network);
@@ -21,10 +21,11 @@ class Breakage {
     float strain;
   };
 
-  /// Breaks these bonds and all that goes with them, adding an event each, in order of cause. Bonds already broken are passed
-  /// over. strainOf(bond) is asked for those that a cell takes along.
+  /// Breaks these bonds and all that goes with them, adding an event each, in order of cause. Bonds already
+  /// broken are passed over. strainOf(bond) is asked for those that a cell takes along.
   template <class StrainOf>
-  void breakBonds(std::span<const Overstretched> bonds, double time, StrainOf&& strainOf, std::vector<BreakEvent>& events) {
+  void breakBonds(std::span<const Overstretched> bonds, double time, StrainOf&& strainOf,
+                  std::vector<BreakEvent>& events) {
     for (const Overstretched& over : bonds) {
       if (bondBroken(over.bond)) continue;
       markBond(over.bond, kNone, over.strain, time, events);

@@ -34,7 +34,11 @@ Components::Components(const Network& network, const BondLayout& layout)
 class Components::Search {
  public:
   Search(const BondLayout& layout, std::vector<std::uint32_t>& searchOfNode, std::span<const NodeIndex> seeds)
-      : layout_(layout), searchOfNode_(searchOfNode), group_(seeds.size()), visited_(seeds.size()), next_(seeds.size(), 0) {
+      : layout_(layout),
+        searchOfNode_(searchOfNode),
+        group_(seeds.size()),
+        visited_(seeds.size()),
+        next_(seeds.size(), 0) {
     std::iota(group_.begin(), group_.end(), 0U);
     for (std::uint32_t s = 0; s < seeds.size(); ++s) {
       searchOfNode_[seeds[s]] = s;
@@ -48,7 +52,8 @@ class Components::Search {
     }
   }
 
-  /// The groups that are whole components and not the one that keeps the old id, each with its nodes, by first seed.
+  /// The groups that are whole components and not the one that keeps the old id, each with its nodes, by
+  /// first seed.
   std::vector<std::vector<NodeIndex>> cutOff() {
     std::uint32_t keeper = kNone;
     for (std::uint32_t s = 0; s < group_.size(); ++s) {
@@ -135,19 +140,22 @@ bool Components::relabel(const BondLayout& layout, std::span<const BreakEvent> e
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::stable_sort(ends.begin(), ends.end(), [&](NodeIndex left, NodeIndex right) { return of(left) < of(right); });
+  std::stable_sort(ends.begin(), ends.end(),
+                   [&](NodeIndex left, NodeIndex right) { return of(left) < of(right); });
   bool born = false;
   for (std::size_t first = 0; first < ends.size();) {
     std::size_t last = first + 1;
     while (last < ends.size() && of(ends[last]) == of(ends[first])) ++last;
-    // Labels change while this runs, but only from the fragment just treated to newborn ones behind all others.
+    // Labels change while this runs, but only from the fragment just treated to newborn ones behind all
+    // others.
     born |= relabelOne(layout, std::span(ends).subspan(first, last - first), time);
     first = last;
   }
   return born;
 }
 
-void Components::restore(std::vector<FragmentId> fragmentOfNode, std::vector<FragmentBirth> births, std::uint64_t relabelings) {
+void Components::restore(std::vector<FragmentId> fragmentOfNode, std::vector<FragmentBirth> births,
+                         std::uint64_t relabelings) {
   assert(fragmentOfNode.size() == fragmentOfNode_.size());
   fragmentOfNode_ = std::move(fragmentOfNode);
   births_ = std::move(births);
@@ -155,16 +163,19 @@ void Components::restore(std::vector<FragmentId> fragmentOfNode, std::vector<Fra
 }
 
 std::size_t Components::memoryBytes() const {
-  return (fragmentOfNode_.capacity() + searchOfNode_.capacity()) * sizeof(std::uint32_t) + births_.capacity() * sizeof(FragmentBirth);
+  return (fragmentOfNode_.capacity() + searchOfNode_.capacity()) * sizeof(std::uint32_t) +
+         births_.capacity() * sizeof(FragmentBirth);
 }
 
-std::vector<Fragment> describeFragments(const Network& network, const Components& components, const Snapshot& snapshot) {
+std::vector<Fragment> describeFragments(const Network& network, const Components& components,
+                                        const Snapshot& snapshot) {
   std::vector<Fragment> fragments(components.births().size());
   const double far = std::numeric_limits<double>::max();
   for (FragmentId id = 0; id < fragments.size(); ++id) {
     const FragmentBirth& birth = components.births()[id];
-    fragments[id] = {id, birth.parent, birth.born, birth.nodeCount, 0.0, Vec3::Zero(), Vec3::Zero(), Vec3::Constant(far),
-                     Vec3::Constant(-far), FragmentState::deforming};
+    fragments[id] = {
+        id,           birth.parent, birth.born,          birth.nodeCount,      0.0,
+        Vec3::Zero(), Vec3::Zero(), Vec3::Constant(far), Vec3::Constant(-far), FragmentState::deforming};
   }
   for (std::size_t node = 0; node < network.nodeCount(); ++node) {
     Fragment& fragment = fragments[components.fragmentOfNode()[node]];

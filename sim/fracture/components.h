@@ -8,7 +8,8 @@
 
 namespace sim {
 
-/// Birth record of a fragment: a connected component of the graph of whole bonds (paper, "Collision detection"; P11).
+/// Birth record of a fragment: a connected component of the graph of whole bonds (paper, "Collision
+/// detection"; P11).
 struct FragmentBirth {
   FragmentId parent = kNone;  ///< kNone: there from the start
   double born = 0.0;          ///< s
@@ -17,9 +18,9 @@ struct FragmentBirth {
   bool operator==(const FragmentBirth&) const = default;
 };
 
-/// Which fragment each node belongs to. After breaks only the parts that came off are visited: from both ends of every
-/// broken bond searches grow in turns, those that meet become one, and as soon as all but one have run out of nodes, those
-/// that ran out are the new fragments; the one still growing keeps the old id.
+/// Which fragment each node belongs to. After breaks only the parts that came off are visited: from both ends
+/// of every broken bond searches grow in turns, those that meet become one, and as soon as all but one have
+/// run out of nodes, those that ran out are the new fragments; the one still growing keeps the old id.
 class Components {
  public:
   /// Labels the whole network: ids in order of each component's first node.
@@ -30,11 +31,13 @@ class Components {
 
   FragmentId of(NodeIndex node) const { return fragmentOfNode_[node]; }
   const std::vector<FragmentId>& fragmentOfNode() const { return fragmentOfNode_; }
-  /// Every fragment ever born, by id; one that gave all its nodes away cannot be, since the rest keeps the id.
+  /// Every fragment ever born, by id; one that gave all its nodes away cannot be, since the rest keeps the
+  /// id.
   const std::vector<FragmentBirth>& births() const { return births_; }
   std::uint64_t relabelings() const { return relabelings_; }
 
-  void restore(std::vector<FragmentId> fragmentOfNode, std::vector<FragmentBirth> births, std::uint64_t relabelings);
+  void restore(std::vector<FragmentId> fragmentOfNode, std::vector<FragmentBirth> births,
+               std::uint64_t relabelings);
   std::size_t memoryBytes() const;
 
  private:
@@ -47,8 +50,9 @@ class Components {
   std::uint64_t relabelings_ = 0;
 };
 
-/// The living fragments by id, with mass, centre and box of the snapshot's positions and velocities. Held nodes count in
-/// nothing but the box.
-std::vector<Fragment> describeFragments(const Network& network, const Components& components, const Snapshot& snapshot);
+/// The living fragments by id, with mass, centre and box of the snapshot's positions and velocities. Held
+/// nodes count in nothing but the box.
+std::vector<Fragment> describeFragments(const Network& network, const Components& components,
+                                        const Snapshot& snapshot);
 
 }  // namespace sim

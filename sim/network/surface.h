@@ -21,8 +21,8 @@ class CellFaces {
  public:
   explicit CellFaces(const Network& network);
 
-  /// All surface faces, in order of their cells. brokenCells: one byte a cell, nonzero where broken; empty means
-  /// none is.
+  /// All surface faces, in order of their cells. brokenCells: one byte a cell, nonzero where broken; empty
+  /// means none is.
   std::vector<SurfaceFace> surface(const std::vector<std::uint8_t>& brokenCells) const;
 
  private:
