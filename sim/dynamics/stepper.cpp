@@ -17,6 +17,12 @@ constexpr double kStepGrowth = 1.1;
 /// Frames are due when the time is within this share of a step.
 constexpr double kTimeSlack = 1e-6;
 
+std::optional<tbb::global_control> allowThreads(int threads) {
+  if (threads <= tbb::this_task_arena::max_concurrency()) return std::nullopt;
+  return std::optional<tbb::global_control>(std::in_place, tbb::global_control::max_allowed_parallelism,
+                                            static_cast<std::size_t>(threads));
+}
+
 }  // namespace
 
 Stepper::Stepper(Network network, Environment environment, std::vector<Track> tracks,
@@ -32,6 +38,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       ledger_(network_),
       kernel_(stepBlocksFor(KernelKind::automatic)),
       reports_(layout_.blockCount()),
+      moreThreads_(allowThreads(settings.threads)),
       arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
   const std::size_t count = network_.nodeCount();
   now_ = {NodeVectors(count), NodeVectors(count)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "sim/dynamics/controls.h"
@@ -93,9 +94,10 @@ class Stepper {
 
   double segmentStart_ = 0.0;  ///< s: when the present step size began
   std::uint64_t segmentSteps_ = 0;
-  double step_ = 0.0;          ///< s
-  double lastStep_ = 0.0;      ///< s: of the step before; zero at the start
-  double controlsTime_ = 0.0;  ///< s: when the tracks were last applied
+  double step_ = 0.0;                               ///< s
+  double lastStep_ = 0.0;                           ///< s: of the step before; zero at the start
+  double controlsTime_ = 0.0;                       ///< s: when the tracks were last applied
+  std::optional<tbb::global_control> moreThreads_;  ///< TBB would not give more than the processor has
   mutable tbb::task_arena arena_;
 };
 
