@@ -163,6 +163,7 @@ void addCellFaces(const Network& network, const Snapshot& moment, const std::vec
     if (first == last) continue;
     pointOfNode[node] = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.push_back(moment.positions[node]);
+    mesh.restPoints.push_back(network.positions[node]);
     mesh.nodeOfPoint.push_back(node);
     smoother.smooth(&gathered.corners[first], last - first, mesh.normals, normalOfCorner);
   }
@@ -209,7 +210,9 @@ void addShard(const Network& network, const Snapshot& moment, NodeIndex node, Su
   for (std::uint32_t i = 0; i < 4; ++i) {
     const Vec3 direction = Vec3(kCorners[i][0], kCorners[i][1], kCorners[i][2]).normalized();
     const double irregular = 0.6 + 0.4 * randomOf(node, 3 + i);
-    mesh.points.emplace_back(moment.positions[node] + rotation * (reach * irregular * direction));
+    const Vec3 offset = rotation * (reach * irregular * direction);
+    mesh.points.emplace_back(moment.positions[node] + offset);
+    mesh.restPoints.emplace_back(network.positions[node] + offset);
     mesh.nodeOfPoint.push_back(node);
   }
   for (const auto& side : kSides) {

@@ -19,6 +19,7 @@ struct SurfaceMesh {
     FragmentId fragment = kNone;
   };
   std::vector<Vec3> points;            ///< cm
+  std::vector<Vec3> restPoints;        ///< where each point is in the network at rest: what grain sticks to
   std::vector<Vec3> normals;           ///< unit, outward
   std::vector<NodeIndex> nodeOfPoint;  ///< the node a point is at, or for a shard's points, belongs to
   std::vector<Face> faces;

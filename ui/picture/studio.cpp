@@ -1,0 +1,84 @@
+#include "ui/picture/studio.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+/// The room in units of the subject's size (half its box's diagonal). The key is small enough for a crisp
+/// highlight on a glaze and large enough that shadows soften within a hand's breadth.
+constexpr float kKeyDistance = 4.2F;
+constexpr float kKeyHalfSize = 0.8F;
+constexpr float kFillDistance = 4.5F;
+constexpr float kFillHalfWidth = 0.8F;
+constexpr float kFillHalfHeight = 1.8F;
+constexpr float kFadeFrom = 2.5F;
+constexpr float kFadeTo = 14.0F;
+
+SoftBox aimedBox(const Vec3f& direction, float distance, float halfWidth, float halfHeight,
+                 const Light& irradiance) {
+  SoftBox box;
+  box.front = -direction.normalized();
+  box.centre = -distance * box.front;
+  box.halfAcross = halfWidth * Vec3f::UnitZ().cross(box.front).normalized();
+  box.halfUp = halfHeight * box.front.cross(box.halfAcross).normalized();
+  box.area = 4.0F * halfWidth * halfHeight;
+  box.radiance = irradiance * distance * distance / box.area;
+  return box;
+}
+
+}  // namespace
+
+Light SoftBox::radianceAt(float across, float up) const {
+  const float edge = std::max(std::abs(across), std::abs(up));
+  return radiance * (1.0F - smoothStep(0.8F, 1.0F, edge)) *
+         (1.0F - 0.3F * (across * across + up * up) / 2.0F);
+}
+
+Light Studio::backdrop(const Vec3f& direction) const {
+  const Light low(0.150F, 0.139F, 0.129F);
+  const Light high(0.045F, 0.043F, 0.042F);
+  return low + (high - low) * smoothStep(-0.25F, 0.5F, direction.z());
+}
+
+Light Studio::dome(const Vec3f& direction) const {
+  const Light low(0.20F, 0.19F, 0.18F);
+  const Light overhead(0.50F, 0.50F, 0.51F);
+  return low + (overhead - low) * smoothStep(0.0F, 1.0F, direction.z());
+}
+
+Light Studio::reflected(const Vec3f& origin, const Vec3f& direction) const {
+  for (const SoftBox& box : lights) {
+    const float facing = -direction.dot(box.front);
+    if (facing <= 0.0F) continue;
+    const float distance = (origin - box.centre).dot(box.front) / facing;
+    if (distance <= 0.0F) continue;
+    const Vec3f offset = origin + distance * direction - box.centre;
+    const float across = offset.dot(box.halfAcross) / box.halfAcross.squaredNorm();
+    const float up = offset.dot(box.halfUp) / box.halfUp.squaredNorm();
+    if (std::abs(across) < 1.0F && std::abs(up) < 1.0F) return box.radianceAt(across, up) + dome(direction);
+  }
+  return dome(direction);
+}
+
+Studio arrangeStudio(const Camera& camera, const Box& subject) {
+  const float size = std::max(1e-3F, static_cast<float>(subject.diagonal().norm() / 2.0));
+  Vec3f towardsCamera = (camera.position - camera.target).cast<float>();
+  towardsCamera.z() = 0.0F;
+  towardsCamera = towardsCamera.norm() > 0.0F ? Vec3f(towardsCamera.normalized()) : -Vec3f::UnitY();
+  const Vec3f right = Vec3f::UnitZ().cross(towardsCamera);
+  const Vec3f up = Vec3f::UnitZ();
+
+  Studio studio;
+  studio.lights[0] = aimedBox(-0.85F * right + 0.78F * up + 0.45F * towardsCamera, kKeyDistance * size,
+                              kKeyHalfSize * size, kKeyHalfSize * size, Light(3.45F, 3.33F, 3.12F));
+  studio.lights[1] = aimedBox(1.0F * right + 0.35F * up + 0.15F * towardsCamera, kFillDistance * size,
+                              kFillHalfWidth * size, kFillHalfHeight * size, Light(0.52F, 0.55F, 0.60F));
+  studio.fadeFrom = kFadeFrom * size;
+  studio.fadeTo = kFadeTo * size;
+  return studio;
+}
+
+}  // namespace ui

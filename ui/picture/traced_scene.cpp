@@ -1,0 +1,144 @@
+#include "ui/picture/traced_scene.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
+
+namespace ui {
+
+namespace {
+
+/// Share of a ray's start distance from the origin of coordinates by which its nearest meetings are passed
+/// over: some ten roundings of single precision, so that no surface shadows itself.
+constexpr float kSkip = 2e-6F;
+
+RTCRay rayFrom(const Vec3f& origin, const Vec3f& direction, float distance) {
+  RTCRay ray{};
+  ray.org_x = origin.x();
+  ray.org_y = origin.y();
+  ray.org_z = origin.z();
+  ray.dir_x = direction.x();
+  ray.dir_y = direction.y();
+  ray.dir_z = direction.z();
+  ray.tnear = kSkip * (1.0F + origin.norm());
+  ray.tfar = distance;
+  ray.mask = 0xffffffffU;
+  return ray;
+}
+
+/// Distance to a floor seen from above; infinite where the ray does not come down on it.
+float distanceTo(const TracedScene::Plane& floor, const Vec3f& origin, const Vec3f& direction) {
+  const float falling = -floor.normal.dot(direction);
+  const float height = floor.normal.dot(origin) - floor.offset;
+  const bool meets = falling > 0.0F && height > kSkip * (1.0F + origin.norm());
+  return meets ? height / falling : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace
+
+sim::Result<std::unique_ptr<TracedScene>> TracedScene::create(DrawnMesh mesh, std::vector<Plane> floors) {
+  std::unique_ptr<TracedScene> traced(new TracedScene);
+  traced->mesh_ = std::move(mesh);
+  traced->floors_ = std::move(floors);
+  const sim::Problem noMemory{"", "there is not enough memory to trace rays",
+                              "close other programs, or draw fewer cells"};
+  traced->device_ = rtcNewDevice(nullptr);
+  if (traced->device_ == nullptr) return noMemory;
+  traced->scene_ = rtcNewScene(traced->device_);
+  rtcSetSceneFlags(traced->scene_, RTC_SCENE_FLAG_ROBUST);
+  if (!traced->mesh_.quads.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(traced->device_, RTC_GEOMETRY_TYPE_QUAD);
+    auto* vertices =
+        static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                    sizeof(Vec3f), traced->mesh_.positions.size()));
+    using Corners = std::array<std::uint32_t, 4>;
+    auto* corners = static_cast<Corners*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, sizeof(Corners), traced->mesh_.quads.size()));
+    if (vertices == nullptr || corners == nullptr) {
+      rtcReleaseGeometry(geometry);
+      return noMemory;
+    }
+    std::copy(traced->mesh_.positions.begin(), traced->mesh_.positions.end(), vertices);
+    std::copy(traced->mesh_.quads.begin(), traced->mesh_.quads.end(), corners);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(traced->scene_, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(traced->scene_);
+  if (rtcGetDeviceError(traced->device_) != RTC_ERROR_NONE) return noMemory;
+  return traced;
+}
+
+TracedScene::~TracedScene() {
+  if (scene_ != nullptr) rtcReleaseScene(scene_);
+  if (device_ != nullptr) rtcReleaseDevice(device_);
+}
+
+// A flat piece of a smooth surface lies below it, and would cast shadows on itself where light grazes: the
+// start of rays is lifted to where the planes of the corners' normals meet above it (Hanika, "Hacking the
+// shadow terminator", 2021).
+SurfaceHit TracedScene::meshHit(std::uint32_t quad, const std::array<float, 4>& weights, const Vec3f& point,
+                                const Vec3f& facing) const {
+  const auto& corner = mesh_.quads[quad];
+  SurfaceHit hit;
+  hit.point = hit.start = point;
+  hit.facing = facing;
+  hit.normal.setZero();
+  hit.restPoint.setZero();
+  for (unsigned c = 0; c < 4; ++c) {
+    const Vec3f& vertexNormal = mesh_.normals[corner[c]];
+    const Vec3f normal = vertexNormal.dot(facing) < 0.0F ? Vec3f(-vertexNormal) : vertexNormal;
+    const float below = std::min(0.0F, normal.dot(point - mesh_.positions[corner[c]]));
+    hit.start -= weights[c] * below * normal;
+    hit.normal += weights[c] * normal;
+    hit.restPoint += weights[c] * mesh_.restPoints[corner[c]];
+  }
+  hit.normal = hit.normal.norm() > 0.0F ? Vec3f(hit.normal.normalized()) : facing;
+  hit.look = &mesh_.looks[mesh_.lookOfQuad[quad]];
+  return hit;
+}
+
+std::optional<SurfaceHit> TracedScene::nearest(const Vec3f& origin, const Vec3f& direction) const {
+  RTCRayHit query{};
+  query.ray = rayFrom(origin, direction, std::numeric_limits<float>::infinity());
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene_, &context, &query);
+
+  float distance = query.ray.tfar;
+  const Plane* floor = nullptr;
+  for (const Plane& plane : floors_) {
+    if (const float reach = distanceTo(plane, origin, direction); reach < distance) {
+      distance = reach;
+      floor = &plane;
+    }
+  }
+  if (!std::isfinite(distance)) return std::nullopt;
+  const Vec3f point = origin + distance * direction;
+  if (floor != nullptr) {
+    return SurfaceHit{.point = point, .start = point, .facing = floor->normal, .normal = floor->normal};
+  }
+  Vec3f facing = Vec3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z).stableNormalized();
+  if (facing.dot(direction) > 0.0F) facing = -facing;
+  // Embree splits a quad along its corners 1 and 3 and gives (u, v) of the whole quad.
+  const float u = query.hit.u;
+  const float v = query.hit.v;
+  return meshHit(query.hit.primID, {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v}, point, facing);
+}
+
+bool TracedScene::isBlocked(const Vec3f& origin, const Vec3f& direction, float distance) const {
+  for (const Plane& plane : floors_) {
+    if (distanceTo(plane, origin, direction) < distance) return true;
+  }
+  RTCRay ray = rayFrom(origin, direction, distance);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene_, &context, &ray);
+  return ray.tfar < 0.0F;
+}
+
+}  // namespace ui
