@@ -1,8 +1,9 @@
-#include <png.h>
-
-#include <catch2/catch.hpp>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+
+#include <catch2/catch.hpp>
+#include <png.h>
 
 #include "sim/base/random.h"
 #include "ui/picture/image.h"
@@ -19,7 +20,9 @@ Image noisyImage() {
   return image;
 }
 
-std::filesystem::path temporaryPng(const char* name) { return std::filesystem::temp_directory_path() / name; }
+std::filesystem::path temporaryPng(const char* name) {
+  return std::filesystem::temp_directory_path() / name;
+}
 
 std::vector<std::uint8_t> readEightBit(const std::filesystem::path& path) {
   png_image reader;

@@ -1,8 +1,9 @@
 #include "ui/picture/picture.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+
+#include <catch2/catch.hpp>
 
 #include "tests/support/grid_network.h"
 
@@ -47,7 +48,8 @@ double brightnessAround(const Image& image, const PictureScene& scene, const Vec
   const Vec3 ahead = (scene.camera.target - scene.camera.position).normalized();
   const Vec3 right = ahead.cross(Vec3::UnitZ()).normalized();
   const Vec3 offset = point - scene.camera.position;
-  const double scale = image.height / 2.0 / std::tan(scene.camera.verticalFieldOfView / 2.0) / offset.dot(ahead);
+  const double scale =
+      image.height / 2.0 / std::tan(scene.camera.verticalFieldOfView / 2.0) / offset.dot(ahead);
   const int x = static_cast<int>(image.width / 2.0 + scale * offset.dot(right));
   const int y = static_cast<int>(image.height / 2.0 - scale * offset.dot(right.cross(ahead)));
   double sum = 0.0;
@@ -109,7 +111,8 @@ TEST_CASE("an invisible collider is not drawn") {
   hidden.colliders[1].visible = false;
   PictureScene without = hidden;
   without.colliders.pop_back();
-  CHECK(ui::renderPicture(hidden, smallPicture()).value() == ui::renderPicture(without, smallPicture()).value());
+  CHECK(ui::renderPicture(hidden, smallPicture()).value() ==
+        ui::renderPicture(without, smallPicture()).value());
 }
 
 TEST_CASE("outsides and broken faces have their material's two colours") {

@@ -74,7 +74,8 @@ class Renderer {
   sim::Result<Image> render() {
     const int tilesAcross = (settings_.width + kTile - 1) / kTile;
     const int tileCount = tilesAcross * ((settings_.height + kTile - 1) / kTile);
-    tbb::task_arena arena(settings_.threads > 0 ? settings_.threads : tbb::task_arena::automatic);
+    const int most = tbb::this_task_arena::max_concurrency();
+    tbb::task_arena arena(settings_.threads > 0 ? std::min(settings_.threads, most) : most);
     arena.execute([&] {
       tbb::parallel_for(0, tileCount, [&](int tile) {
         if (cancelled_) return;
