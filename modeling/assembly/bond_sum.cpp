@@ -1,6 +1,7 @@
 #include "modeling/assembly/bond_sum.h"
 
 #include <algorithm>
+#include <array>
 
 #include <tbb/parallel_for.h>
 
@@ -26,6 +27,16 @@ CornersOfNodes cornersOfNodes(const std::vector<GivingCell>& cells, std::size_t 
       rows.corners[next[cells[c].corners[corner]]++] = 8 * c + corner;
   return rows;
 }
+
+/// The seven pairs that each corner is an end of.
+const std::array<std::array<std::uint8_t, 7>, 8> kPairsOfCorner = [] {
+  std::array<std::array<std::uint8_t, 7>, 8> pairs{};
+  std::array<std::size_t, 8> count{};
+  for (std::size_t p = 0; p < kPairsPerCell; ++p)
+    for (const std::uint8_t corner : {kCornerPairs[p].a, kCornerPairs[p].b})
+      pairs[corner][count[corner]++] = static_cast<std::uint8_t>(p);
+  return pairs;
+}();
 
 /// What one bond has been given so far.
 struct Sum {
@@ -90,11 +101,10 @@ void addCellBonds(const Sources& sources, NodeIndex node, BondRow& row) {
     const GivingCell& cell = sources.cells[sources.corners.corners[i] / 8];
     const auto corner = static_cast<unsigned>(sources.corners.corners[i] % 8);
     const PartConstants& constants = sources.constants[cell.part];
-    for (std::size_t pair = 0; pair < kPairsPerCell; ++pair) {
+    for (const std::uint8_t pair : kPairsOfCorner[corner]) {
       const CornerPair& ends = kCornerPairs[pair];
-      if (!(cell.bonds >> pair & 1U) || (ends.a != corner && ends.b != corner)) continue;
       const NodeIndex other = cell.corners[ends.a == corner ? ends.b : ends.a];
-      if (other <= node) continue;
+      if (other <= node || !(cell.bonds >> pair & 1U)) continue;
       const double stiffness = constants.youngsModulus * cell.shape->stiffness[pair];
       row.give(other, stiffness, constants.dampingTime * stiffness,
                (sources.positions[other] - sources.positions[node]).norm(), constants.material);

@@ -65,14 +65,14 @@ sim::Result<FittedPart> fitPart(const AssemblyPart& part, const Material& materi
   std::vector<sim::CellCorners> cells = part.lattice.cells;
   for (const sim::CellIndex cell : droppedCells)
     for (NodeIndex& node : cells[cell]) node += static_cast<NodeIndex>(part.lattice.nodes.size());
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    if (!(cellVolume(cornerPositions(positions, cells[cell])) > 0.0))
-      return sim::Problem{partPlace(index), "cell " + std::to_string(cell) + " is turned inside out",
-                          "use more or fewer cells, or glue with less reach"};
-
   fitted.fit = fitBonds(positions, cells, material.pattern);
   double volume = 0.0;
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) volume += fitted.fit.ofCell(cell).volume;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    if (!(fitted.fit.ofCell(cell).volume > 0.0))
+      return sim::Problem{partPlace(index), "cell " + std::to_string(cell) + " is turned inside out",
+                          "use more or fewer cells, or glue with less reach"};
+    volume += fitted.fit.ofCell(cell).volume;
+  }
   fitted.cellSize = cells.empty() ? meanBond(part.looseBonds) : std::cbrt(volume / double(cells.size()));
   return fitted;
 }

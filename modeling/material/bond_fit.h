@@ -41,17 +41,17 @@ using PairStiffness = std::array<double, kPairsPerCell>;
 PairStiffness startStiffness(const CornerPositions& corners, BondPattern pattern, bool odd);
 
 /// The fit for one cell of positive volume: of all stiffnesses that are at least kSmallestShare of the start
-/// value, the one with the least sum of
-/// - the squared relative changes from the start values,
-/// - kModulusWeight times the squared misfit of the 15 equations sum k L^2 n n n n = 0.4 E V (dd + dd + dd),
-/// which
-///   say that the cell as a whole has the elastic constants of the continuum,
-/// - kPatchWeight times the squared misfit of the forces on the corners under uniform strain: what they would
-/// be
-///   in a body under uniform stress (patch test of finite elements). What bonds of a regular cell do to the
-///   one motion of the corners that alternates from each to the next is left out: neighbours cancel it.
-/// Patterns of fewer than 28 bonds can't satisfy the equations in a distorted cell, and get a smaller weight
-/// and a last scaling of all bonds, such that E is right on average over all directions.
+/// value, those with the least weighted sum of three squares:
+/// - the relative changes from the start values;
+/// - the misfit of the 15 equations sum k L^2 n n n n = 0.4 E V (dd + dd + dd), which say that the cell as a
+///   whole has the elastic constants of the continuum;
+/// - the misfit of the forces on the corners under uniform strain, which should be those of a body under
+///   uniform stress (the patch test of finite elements). The one motion of the corners that alternates from
+///   each to the next is left out: there a regular cell is out of balance, too, and its neighbours cancel it.
+///
+/// Patterns of fewer than 28 bonds can't satisfy the equations in a distorted cell. They get smaller weights
+/// and a last scaling of all bonds (which may pass kSmallestShare a little) such that E is right on average
+/// over all directions.
 PairStiffness fitCell(const CornerPositions& corners, BondPattern pattern, bool odd);
 inline constexpr double kSmallestShare = 0.05;
 
@@ -67,8 +67,8 @@ struct BondFit {
   const CellShape& ofCell(std::size_t cell) const { return shapes[shapeOfCell[cell]]; }
 };
 
-/// Fits every cell; all must have positive volume. Congruent cells (congruence.h) share one shape and so the
-/// same bits. Runs on all threads; the result doesn't depend on how many.
+/// Fits every cell; one that is inside out gets no stiffness. Congruent cells (congruence.h) share one shape
+/// and so the same bits. Runs on all threads; the result doesn't depend on how many.
 BondFit fitBonds(const std::vector<Vec3>& nodes, const std::vector<sim::CellCorners>& cells,
                  BondPattern pattern);
 

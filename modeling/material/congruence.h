@@ -11,8 +11,8 @@ namespace modeling {
 /// size: far above the rounding of positions, far below any shape a person would tell apart.
 inline constexpr double kCongruence = 1e-9;
 
-/// Cells sorted by shape. The same whatever moves or turns a cell, so that what is computed once for each
-/// shape is the same to the last bit for all its cells.
+/// Cells sorted by shape (a mirror image is another one). The same whatever moves or turns a cell, so that
+/// what is computed once for each shape is the same to the last bit for all its cells.
 struct Congruence {
   std::vector<sim::CellIndex> representatives;  ///< of each class, its first cell; ascending
   std::vector<std::uint32_t> classOfCell;
