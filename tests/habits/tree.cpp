@@ -21,7 +21,8 @@ bool isLookedInto(const std::string& topFolder) {
 }
 
 bool isData(const std::string& path) {
-  return path.starts_with("resources/") || path.starts_with("docs/pictures/");
+  return path.starts_with("resources/") || path.starts_with("docs/pictures/") ||
+         path.starts_with("tests/data/");
 }
 
 }  // namespace

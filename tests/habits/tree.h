@@ -8,8 +8,9 @@ namespace habits {
 
 /// A file of the source tree.
 struct File {
-  std::string path;                ///< relative to the root, with '/'
-  std::vector<std::string> lines;  ///< none for data: whatever stands under resources/ or docs/pictures/
+  std::string path;  ///< relative to the root, with '/'
+  std::vector<std::string>
+      lines;  ///< none for data: whatever stands under resources/, docs/pictures/ or tests/data/
   bool executable = false;
 };
 
