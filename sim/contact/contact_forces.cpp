@@ -11,6 +11,9 @@ namespace {
 /// Rows a task takes at least: below, handing out costs more than the rows.
 constexpr std::size_t kRowGrain = 256;
 
+/// Pairs nearer than this, in natural lengths, may touch before the step is chosen again, and count in it.
+constexpr double kNearShare = 1.1;
+
 /// Friction force (P10): against the slip, friction * k * intrusion, but never more than stops it within the
 /// step.
 Vec3 frictionForce(const Vec3& slip, double limit, double massShare, double step) {
@@ -210,7 +213,7 @@ Contacts::Stiffest Contacts::stiffest(const Moment& moment) const {
     for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
       const Entry& entry = entries_[e];
       const double distance = (moment.motion.position.get(entry.other) - here).norm();
-      if (distance > entry.rho + 0.5 * pairSkin_) continue;
+      if (distance > kNearShare * entry.rho) continue;
       stiffness += 2.0 * pairScale(entry, row.node, moment.materials) * entry.stiffness;
       damping += 2.0 * entry.damping;
     }

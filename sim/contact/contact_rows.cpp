@@ -9,7 +9,7 @@ namespace {
 
 /// Skins relative to the largest natural length: wider ones mean fewer rebuilds and more pairs looked at in
 /// vain.
-constexpr double kPairSkinShare = 0.3;
+constexpr double kPairSkinShare = 0.6;
 constexpr double kColliderSkinShare = 1.0;
 /// A burst of breaks is given this many steps before the rows are rebuilt. Pairs of new fragments are at
 /// least about a bond's length apart, and move far less than the skin in so few steps.
@@ -82,26 +82,33 @@ void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
 
   // The bound ran out: look how far nodes really are from where the rows were built, apart from what all have
   // in common.
+  const Displacements moved = displacements(motion);
+  const double unlimited = std::numeric_limits<double>::max();
+  // Two nodes close in on each other by both their ways. Until the next look either may go as far as the
+  // fastest.
+  const double pairRoom = severalFragments_ ? 0.5 * (pairSkin_ - moved.largestPair) : unlimited;
+  const double colliderRoom = hasColliders_ ? colliderSkin_ - moved.largest - colliderTravel_ : unlimited;
+  // Half again, since what all have in common may change as well.
+  slack_ = 0.5 * std::min(pairRoom, colliderRoom);
+  if (slack_ < travel + colliderTravel) stale_ = true;
+}
+
+Contacts::Displacements Contacts::displacements(const Motion& motion) const {
   const std::size_t count = motion.position.size();
   Vec3 shift = Vec3::Zero();
   for (std::size_t node = 0; node < count; ++node) shift += motion.position.get(node) - reference_.get(node);
   shift /= static_cast<double>(count);
-  double relative = 0.0;
-  double absolute = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  double largest = 0.0;
   for (std::size_t node = 0; node < count; ++node) {
     const Vec3 moved = motion.position.get(node) - reference_.get(node);
-    absolute = std::max(absolute, moved.squaredNorm());
-    relative = std::max(relative, (moved - shift).squaredNorm());
+    largest = std::max(largest, moved.squaredNorm());
+    const double relative = (moved - shift).squaredNorm();
+    second = std::max(second, std::min(first, relative));
+    first = std::max(first, relative);
   }
-  relative = std::sqrt(relative);
-  absolute = std::sqrt(absolute);
-  // The common shift may itself change by as much as a node moves: half the room that is left.
-  const double pairRoom =
-      severalFragments_ ? 0.5 * (0.5 * pairSkin_ - relative) : std::numeric_limits<double>::max();
-  const double colliderRoom =
-      hasColliders_ ? colliderSkin_ - absolute - colliderTravel_ : std::numeric_limits<double>::max();
-  slack_ = std::min(pairRoom, colliderRoom);
-  if (slack_ < 2.0 * travel) stale_ = true;
+  return {std::sqrt(first) + std::sqrt(second), std::sqrt(largest)};
 }
 
 bool Contacts::mayTouch(NodeIndex i, NodeIndex j, const Components& components,
@@ -180,11 +187,18 @@ std::vector<Contacts::NearCollider> Contacts::collectColliders(
     const Motion& motion, std::span<const MovingCollider> colliders) const {
   std::vector<NearCollider> near;
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
+    const Collider& collider = colliders[c].shape;
+    const bool plane = collider.shape == ColliderShape::floor;
+    const Vec3 normal = collider.rotation * Vec3::UnitZ();
+    const double offset = normal.dot(collider.position) + colliderSkin_;
     for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {
-      if (intrusion(colliders[c].shape, motion.position.get(node)).depth > -colliderSkin_)
-        near.push_back({node, c});
+      const Vec3 position = motion.position.get(node);
+      const bool close =
+          plane ? normal.dot(position) < offset : intrusion(collider, position).depth > -colliderSkin_;
+      if (close) near.push_back({node, c});
     }
   }
+  if (colliders.size() < 2) return near;
   std::stable_sort(near.begin(), near.end(), [](const NearCollider& left, const NearCollider& right) {
     return left.node < right.node;
   });

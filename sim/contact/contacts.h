@@ -132,7 +132,14 @@ class Contacts {
     Vec3 lossy = Vec3::Zero();
   };
 
+  /// How far nodes are from where they were at the last rebuild, cm.
+  struct Displacements {
+    double largestPair = 0.0;  ///< sum of the two largest, apart from the mean of all
+    double largest = 0.0;      ///< of any node, all in all
+  };
+
   // Rebuilding (contact_rows.cpp).
+  Displacements displacements(const Motion& motion) const;
   double naturalLength(NodeIndex i, NodeIndex j) const;
   double pairDamping(NodeIndex i, NodeIndex j, double stiffness) const;
   bool mayTouch(NodeIndex i, NodeIndex j, const Components& components, const Breakage& breakage) const;

@@ -3,27 +3,25 @@
 #include <bit>
 #include <cmath>
 
-#include "sim/base/random.h"
-
 namespace sim {
 namespace {
 
-std::size_t hashOf(const std::array<std::int64_t, 3>& at) {
-  std::uint64_t hash = 0;
-  for (const std::int64_t coordinate : at) hash = mixBits(hash ^ static_cast<std::uint64_t>(coordinate));
-  return static_cast<std::size_t>(hash);
+/// The upper half of a product with the golden ratio: the table's size is a power of two, and its index the
+/// low bits of this.
+std::size_t hashOf(std::uint64_t place) {
+  return static_cast<std::size_t>((place * 0x9e3779b97f4a7c15ULL) >> 32);
 }
 
 }  // namespace
 
-std::uint32_t HashGrid::find(const Place& at) const {
+std::uint32_t HashGrid::find(Place at) const {
   const std::size_t mask = table_.size() - 1;
   for (std::size_t slot = hashOf(at) & mask;; slot = (slot + 1) & mask) {
     if (table_[slot] == kNone || cubes_[table_[slot]].at == at) return table_[slot];
   }
 }
 
-std::uint32_t HashGrid::findOrAdd(const Place& at, FragmentId tag) {
+std::uint32_t HashGrid::findOrAdd(Place at, FragmentId tag) {
   const std::size_t mask = table_.size() - 1;
   std::size_t slot = hashOf(at) & mask;
   while (table_[slot] != kNone && cubes_[table_[slot]].at != at) slot = (slot + 1) & mask;
@@ -42,10 +40,10 @@ void HashGrid::build(const NodeVectors& positions, std::span<const FragmentId> f
   cubes_.clear();
   cubeOfNode_.resize(count);
   for (std::size_t node = 0; node < count; ++node) {
-    Place at;
-    for (std::size_t k = 0; k < 3; ++k)
-      at[k] = static_cast<std::int64_t>(std::floor(positions.axis(k)[node] / edge));
-    const std::uint32_t cube = findOrAdd(at, fragmentOfNode[node]);
+    const auto along = [&](std::size_t k) {
+      return static_cast<std::int64_t>(std::floor(positions.axis(k)[node] / edge));
+    };
+    const std::uint32_t cube = findOrAdd(placeOf(along(0), along(1), along(2)), fragmentOfNode[node]);
     cubeOfNode_[node] = cube;
     ++cubes_[cube].last;
   }

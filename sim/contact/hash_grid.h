@@ -28,7 +28,7 @@ class HashGrid {
         }
       }
       for (const auto& step : kForward) {
-        const std::uint32_t other = find({cube.at[0] + step[0], cube.at[1] + step[1], cube.at[2] + step[2]});
+        const std::uint32_t other = find(shifted(cube.at, step));
         if (other == kNone) continue;
         const Cube& there = cubes_[other];
         if (!withinFragments && cube.tag == there.tag && cube.tag != kMixed) continue;
@@ -43,7 +43,9 @@ class HashGrid {
   std::size_t memoryBytes() const;
 
  private:
-  using Place = std::array<std::int64_t, 3>;
+  /// Three cube coordinates of 21 bits each. Cubes two million apart share a place, which costs comparisons,
+  /// not truth.
+  using Place = std::uint64_t;
   struct Cube {
     Place at;
     FragmentId tag;
@@ -65,9 +67,20 @@ class HashGrid {
                                                                          {-1, 1, 1},
                                                                          {0, 1, 1},
                                                                          {1, 1, 1}}};
+  static constexpr int kBits = 21;
+  static constexpr std::uint64_t kMask = (1ULL << kBits) - 1;
 
-  std::uint32_t find(const Place& at) const;
-  std::uint32_t findOrAdd(const Place& at, FragmentId tag);
+  static Place placeOf(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return (static_cast<std::uint64_t>(x) & kMask) | (static_cast<std::uint64_t>(y) & kMask) << kBits |
+           (static_cast<std::uint64_t>(z) & kMask) << (2 * kBits);
+  }
+  static Place shifted(Place at, const std::array<std::int64_t, 3>& step) {
+    return placeOf(static_cast<std::int64_t>(at) + step[0], static_cast<std::int64_t>(at >> kBits) + step[1],
+                   static_cast<std::int64_t>(at >> (2 * kBits)) + step[2]);
+  }
+
+  std::uint32_t find(Place at) const;
+  std::uint32_t findOrAdd(Place at, FragmentId tag);
 
   std::vector<std::uint32_t> table_;  ///< open addressing; indices of cubes_, kNone where free
   std::vector<Cube> cubes_;           ///< in order of their first node
