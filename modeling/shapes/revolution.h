@@ -30,8 +30,8 @@ enum class ProfileCorrespondence {
 /// Cells around: at least 3; where the wall meets the axis or the body is solid, a multiple of twice the
 /// number of sectors (a sector turns by at most 100 degrees: 4 in a full turn, so 8, 16, 24, ...).
 /// Cells along: where the wall meets the axis, counted from it along the profile.
-/// Cells through the wall: in a solid body, the layers that wrap around its closed ends, by default as many as
-/// make its cells even; not read where both ends are open.
+/// Cells through the wall: in a solid body, the layers that wrap around its closed ends, by default as many
+/// as make its cells even; not read where both ends are open.
 struct RevolutionShape {
   ProfileChain outside;
   ProfileChain inside;

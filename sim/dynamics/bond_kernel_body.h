@@ -1,3 +1,5 @@
+#pragma once
+
 // The kernel's source, included by bond_kernel_plain.cpp, _avx2.cpp and _avx512.cpp, each compiled for its
 // own instruction set, with SMITHEREENS_KERNEL the namespace.
 //

@@ -2,8 +2,8 @@
 
 #include <embree4/rtcore.h>
 
-// What we use of Embree 3, in terms of Embree 4, which took the context out of the queries. On the include path only
-// where there is no Embree 3.
+// What we use of Embree 3, in terms of Embree 4, which took the context out of the queries. On the include
+// path only where there is no Embree 3.
 
 struct RTCIntersectContext {};
 
