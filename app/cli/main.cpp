@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/export_command.h"
+#include "app/cli/render_command.h"
 
 namespace {
 
@@ -12,7 +14,7 @@ using app::AddCommand;
 using app::ExitStatus;
 
 /// Every command of the program, in the order in which help lists them.
-constexpr std::initializer_list<AddCommand> kCommands = {};
+constexpr std::initializer_list<AddCommand> kCommands = {app::addRenderCommand, app::addExportCommand};
 
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Dishware that bends, hiccups, sneezes and breaks.", "smithereens-cli");

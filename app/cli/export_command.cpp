@@ -1,0 +1,67 @@
+#include "app/cli/export_command.h"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/frames.h"
+#include "app/cli/progress.h"
+#include "modeling/exchange/export.h"
+
+namespace app {
+
+namespace {
+
+struct ExportOptions {
+  std::string take;
+  std::string format;
+  std::string out;
+  std::string frames = ":";
+};
+
+sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& take, const FrameRange& range,
+                  const std::string& path) {
+  Progress progress("export");
+  const auto show = [&](double share) {
+    progress.show(share);
+    return true;
+  };
+  return format.write(take,
+                      {.path = path, .firstFrame = range.first, .lastFrame = range.last, .progress = show});
+}
+
+ExitStatus exportTake(const ExportOptions& options) {
+  const auto format = modeling::exportFormatNamed(options.format);
+  if (!format) return complain(format.problem());
+  const auto take = sim::TakeReader::open(options.take);
+  if (!take) return complain(take.problem());
+  if (const auto some = needFrames(**take, options.take); !some) return complain(some.problem());
+  const auto range = parseFrameRange(options.frames, **take);
+  if (!range) return complain(range.problem());
+  const auto written = write(*format, **take, *range, options.out);
+  return written ? ExitStatus::done : complain(written.problem());
+}
+
+std::string formatHelp() {
+  std::string help = "One of";
+  for (const auto& format : modeling::exportFormats()) help += "\n  " + format.name + ": " + format.summary;
+  return help;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& program, ExitStatus& status) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = program.add_subcommand("export", "Write a take's frames for other programs");
+  command->add_option("take", options->take, "The take")->required();
+  command->add_option("--format", options->format, formatHelp())->required();
+  command
+      ->add_option("--out", options->out,
+                   "File; a format of one file a frame numbers them, as in FILE.0012.obj")
+      ->required();
+  command->add_option("--frames", options->frames, "Frames A:B, counted from 0 (default: all)");
+  command->callback([options, &status] { status = exportTake(*options); });
+}
+
+}  // namespace app

@@ -1,0 +1,34 @@
+#include "modeling/exchange/export.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "modeling/scene/spelling.h"
+
+namespace modeling {
+
+const std::vector<ExportFormat>& exportFormats() {
+  static const std::vector<ExportFormat> kFormats{
+      {"xyz", "positions and velocities of all nodes (extended XYZ)", writeXyz},
+      {"obj", "the surface of each frame (Wavefront OBJ)", writeObj},
+  };
+  return kFormats;
+}
+
+sim::Result<ExportFormat> exportFormatNamed(const std::string& name) {
+  std::vector<std::string> names;
+  for (const ExportFormat& format : exportFormats()) {
+    if (format.name == name) return format;
+    names.push_back(format.name);
+  }
+  return sim::Problem{"--format", "there is no export format " + inQuotes(name), didYouMean(name, names)};
+}
+
+std::filesystem::path numberedPath(const std::filesystem::path& path, std::size_t number) {
+  std::string digits = std::to_string(number);
+  digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
+  std::filesystem::path numbered = path;
+  return numbered.replace_extension("." + digits + path.extension().string());
+}
+
+}  // namespace modeling

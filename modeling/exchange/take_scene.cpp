@@ -1,0 +1,81 @@
+#include "modeling/exchange/take_scene.h"
+
+#include <algorithm>
+#include <numbers>
+#include <variant>
+
+#include "modeling/scene/scene_file.h"
+#include "sim/control/track.h"
+
+namespace modeling {
+
+namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+sim::Collider colliderOf(const SceneCollider& made) {
+  sim::Collider collider;
+  collider.name = made.name;
+  collider.position = made.position;
+  collider.rotation = made.rotation.quaternion();
+  collider.visible = made.visible;
+  if (std::holds_alternative<FloorShape>(made.form)) collider.shape = sim::ColliderShape::floor;
+  if (const auto* box = std::get_if<BoxShape>(&made.form)) {
+    collider.shape = sim::ColliderShape::box;
+    collider.halfSize = box->halfSize;
+  } else if (const auto* sphere = std::get_if<SphereShape>(&made.form)) {
+    collider.shape = sim::ColliderShape::sphere;
+    collider.radius = sphere->radius;
+  } else if (const auto* cylinder = std::get_if<CylinderShape>(&made.form)) {
+    collider.shape = sim::ColliderShape::cylinder;
+    collider.radius = cylinder->radius;
+    collider.halfHeight = cylinder->halfHeight;
+  }
+  return collider;
+}
+
+sim::Vec3 vectorAt(const SceneTrack& track, double time) {
+  sim::Track values;
+  values.interpolation = track.interpolation;
+  for (const SceneTrackKey& key : track.keys) values.keys.push_back({key.time, std::get<Vec3>(key.value)});
+  return values.valueAt(time);
+}
+
+}  // namespace
+
+sim::Result<Scene> sceneOf(const sim::TakeReader& take) {
+  if (take.header().scene.empty()) return Scene{};
+  auto file = parseScene(take.header().scene, "the take's scene");
+  if (!file) return file.problem();
+  return std::move(file->scene);
+}
+
+std::vector<Look> looksOf(const Scene& scene, const sim::Network& network) {
+  std::vector<Look> looks;
+  for (const sim::Material& material : network.materials) {
+    const auto named = [&](const SceneMaterial& other) { return other.name == material.name; };
+    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), named);
+    looks.push_back(found == scene.materials.end() ? Look{} : found->values.look);
+  }
+  return looks;
+}
+
+std::vector<sim::Collider> collidersAt(const Scene& scene, double time) {
+  std::vector<sim::Collider> colliders;
+  for (const SceneCollider& made : scene.environment.colliders) {
+    sim::Collider& collider = colliders.emplace_back(colliderOf(made));
+    for (const SceneTrack& track : scene.tracks) {
+      if (track.target.object != made.name) continue;
+      if (track.target.target == sim::TrackTarget::colliderPosition)
+        collider.position = vectorAt(track, time);
+      if (track.target.target == sim::TrackTarget::colliderRotation) {
+        const Vec3 turn = kRadiansPerDegree * vectorAt(track, time);
+        collider.rotation =
+            Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * made.rotation.quaternion();
+      }
+    }
+  }
+  return colliders;
+}
+
+}  // namespace modeling

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "modeling/scene/scene.h"
+#include "sim/take/take.h"
+#include "ui/picture/picture.h"
+
+namespace ui {
+
+/// Sets up pictures of a take's frames: the surface, the materials' looks, colliders where their tracks have
+/// them, and the camera.
+class TakePictures {
+ public:
+  /// Pictures of frames [first, last], which all have one camera: the scene's view, or one that sees all of
+  /// them. Keeps a reference to the take. A Problem when its scene or a frame cannot be read.
+  static sim::Result<TakePictures> create(const sim::TakeReader& take, std::size_t first, std::size_t last,
+                                          double aspect);
+
+  sim::Result<PictureScene> sceneOf(std::size_t frame) const;
+
+ private:
+  TakePictures(const sim::TakeReader& take, modeling::Scene scene);
+
+  const sim::TakeReader* take_;
+  sim::SurfaceBuilder surfaceBuilder_;
+  modeling::Scene scene_;
+  Camera camera_;
+  Box subject_;
+};
+
+/// Where the mass is: the box that leaves out the outermost hundredth of the nodes on every side, so that a
+/// splinter that flew off does not make everything small.
+Box boxOfMost(const std::vector<sim::Vec3>& positions);
+
+}  // namespace ui
