@@ -22,9 +22,10 @@ using sim::Vec3;
 /// ("glue bonds"). A bond between two chosen nodes would repeat what B has: its constants are zero. The a_i
 /// are then dropped.
 ///
-/// Deviations: where two a-nodes have the same nearest b-node and another b-node lies within reach, the
-/// farther of the two takes that one, since two corners of a cell in one node flatten the cell; and where
-/// that would turn a cell inside out, it goes back to the nearest.
+/// Deviations, where nodes are chosen by reach: of two a-nodes with the same nearest b-node the farther takes
+/// the nearest that is free and in reach, since two corners in one node flatten a cell; where that would
+/// twist a cell, it goes back to its nearest; and where a cell would be twisted even so, its farthest corner
+/// is let go and not glued.
 
 /// One part as gluing sees it.
 struct GluePart {
@@ -53,7 +54,8 @@ struct GlueSettings {
 /// What would be glued, in order of a.
 struct GluePreview {
   std::vector<GluePair> pairs;
-  double worstDistance = 0.0;  ///< cm
+  double worstDistance = 0.0;     ///< cm
+  std::size_t nodesReleased = 0;  ///< in reach, but let go because a cell would have been twisted
 };
 
 /// What one gluing did.
@@ -68,6 +70,7 @@ struct GlueReport {
   double worstDistance = 0.0;      ///< cm, between an a-node and its b-node
   std::size_t nodesTaken =
       0;  ///< in reach, but dropped already by an earlier gluing, and so left as they are
+  std::size_t nodesReleased = 0;          ///< in reach, but let go because a cell would have been twisted
   double worstScaledJacobian = 1.0;       ///< of A's remaining cells with a glued corner
   sim::CellIndex worstCell = sim::kNone;  ///< of A, where there is one
 };
