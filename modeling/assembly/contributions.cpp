@@ -1,7 +1,6 @@
 #include "modeling/assembly/contributions.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace modeling {
