@@ -100,6 +100,25 @@ TEST_CASE("gluing two blocks gives one, but for bonds within the glued face, whi
     CHECK(joined.nodes[i].mass == Approx(whole.nodes[i].mass).epsilon(1e-12));
 }
 
+TEST_CASE("what glue() finds in two touching blocks is what was glued by hand") {
+  const GluedBlocks byHand;
+  std::vector<GluePart> parts;
+  for (const auto& part : byHand.parts)
+    parts.push_back({part.name, part.lattice.nodes, part.lattice.cells, {}});
+  GlueSettings settings;
+  settings.a = 1;
+  settings.b = 0;
+  settings.reach = 0.1;
+  const auto found = glue(parts, {settings});
+  REQUIRE(found);
+  const auto joined = assembled(byHand.parts, *found);
+  const auto expected = assembled(byHand.parts, byHand.glue);
+  REQUIRE(joined.bonds.size() == expected.bonds.size());
+  for (std::size_t i = 0; i < expected.bonds.size(); ++i)
+    CHECK(joined.bonds[i].stiffness == expected.bonds[i].stiffness);
+  CHECK(massOf(joined) == Approx(2.0 * 16.0).epsilon(1e-13));
+}
+
 TEST_CASE("a merged node belongs to the part it was merged into") {
   GluedBlocks glued;
   glued.parts[1].velocity = Vec3(0.0, 0.0, 5.0);
