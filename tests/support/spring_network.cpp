@@ -202,6 +202,12 @@ sim::Environment weightless() {
   return environment;
 }
 
+sim::Environment earth() {
+  sim::Environment environment;
+  environment.colliders.emplace_back().name = "floor";
+  return environment;
+}
+
 std::unique_ptr<sim::Simulation> simulation(sim::Blueprint blueprint, const sim::Settings& settings,
                                             sim::Environment environment, std::vector<sim::Track> tracks) {
   return sim::Simulation::create(built(std::move(blueprint), settings.seed), std::move(environment),

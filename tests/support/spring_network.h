@@ -59,6 +59,8 @@ sim::Network built(sim::Blueprint blueprint, std::uint64_t seed = 1);
 /// One thread, no friction, no contact damping: nothing is lost but what a test adds.
 sim::Settings losslessSettings();
 sim::Environment weightless();
+/// Earth's gravity, and a floor at z = 0.
+sim::Environment earth();
 
 std::unique_ptr<sim::Simulation> simulation(sim::Blueprint blueprint, const sim::Settings& settings,
                                             sim::Environment environment = weightless(),
