@@ -39,17 +39,16 @@ double Contacts::massShare(NodeIndex node) const {
   return network_->masses[node] / std::max(1U, rows_[row].active);
 }
 
-/// Lets rho grow while apart, notes broken pairs that parted, and counts what pushes.
+/// Lets rho grow while apart, and counts what pushes.
 void Contacts::activate(Row& row, const Moment& moment) {
   row.active = 0;
   const Vec3 here = moment.motion.position.get(row.node);
   for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
     Entry& entry = entries_[e];
+    if (entry.brokenBond != kNone) continue;
     const double distance = (moment.motion.position.get(entry.other) - here).norm();
     if (distance < entry.rho) {
-      if (entry.brokenBond == kNone) ++row.active;
-    } else if (entry.brokenBond != kNone) {
-      entry.apart = 1;
+      ++row.active;
     } else {
       entry.rho = std::min(entry.natural, distance);
     }
@@ -126,14 +125,12 @@ Contacts::ColliderWork Contacts::pushRow(const Row& row, const Moment& moment, F
 }
 
 /// Broken since the last rebuild: few, so one after the other.
-void Contacts::pushFresh(const Moment& moment, Forces& forces) {
-  for (BrokenPair& pair : fresh_) {
+void Contacts::pushFresh(const Moment& moment, Forces& forces) const {
+  for (const BrokenPair& pair : fresh_) {
     Entry entry = brokenEntry(pair);
     entry.other = pair.b;
     Row row;
     row.node = pair.a;
-    if ((moment.motion.position.get(pair.b) - moment.motion.position.get(pair.a)).norm() >= pair.restLength)
-      pair.apart = 1;
     const Push push = pairPush(row, entry, moment);
     forces.total.add(pair.a, push.total);
     forces.lossy.add(pair.a, push.lossy);

@@ -64,8 +64,12 @@ const Contacts::BrokenPair* Contacts::findBroken(BondIndex bond) const {
   return found != broken_.end() && found->bond == bond ? &*found : nullptr;
 }
 
+Contacts::BrokenPair Contacts::brokenPair(BondIndex bond, double restLength) const {
+  return {bond, network_->bondStart(bond), network_->bondEnds[bond], restLength};
+}
+
 void Contacts::addBroken(BondIndex bond, double restLength) {
-  fresh_.push_back({bond, network_->bondStart(bond), network_->bondEnds[bond], 0, restLength});
+  fresh_.push_back(brokenPair(bond, restLength));
   if (fresh_.size() > kMostFresh) stale_ = true;
 }
 
@@ -75,7 +79,7 @@ void Contacts::noteBirths() {
 
 void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
   if (stepsToRebuild_ > 0 && --stepsToRebuild_ == 0) stale_ = true;
-  if (stale_ || !(severalFragments_ || hasColliders_)) return;
+  if (stale_ || !(pairsMayMeet_ || hasColliders_)) return;
   colliderTravel_ += colliderTravel;
   slack_ -= travel + colliderTravel;
   if (slack_ > 0.0) return;
@@ -86,7 +90,7 @@ void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
   const double unlimited = std::numeric_limits<double>::max();
   // Two nodes close in on each other by both their ways. Until the next look either may go as far as the
   // fastest.
-  const double pairRoom = severalFragments_ ? 0.5 * (pairSkin_ - moved.largestPair) : unlimited;
+  const double pairRoom = pairsMayMeet_ ? 0.5 * (pairSkin_ - moved.largestPair) : unlimited;
   const double colliderRoom = hasColliders_ ? colliderSkin_ - moved.largest - colliderTravel_ : unlimited;
   // Half again, since what all have in common may change as well.
   slack_ = 0.5 * std::min(pairRoom, colliderRoom);
@@ -134,29 +138,20 @@ const Contacts::Entry* Contacts::oldEntry(NodeIndex i, NodeIndex j) const {
   return nullptr;
 }
 
-/// What the rows learnt of broken bonds goes back to the list, and the fresh ones join it.
-void Contacts::rememberApart() {
-  for (const Entry& entry : entries_) {
-    if (entry.brokenBond == kNone || entry.apart == 0) continue;
-    if (const BrokenPair* pair = findBroken(entry.brokenBond))
-      broken_[static_cast<std::size_t>(pair - broken_.data())].apart = 1;
-  }
-  broken_.insert(broken_.end(), fresh_.begin(), fresh_.end());
-  fresh_.clear();
-  std::sort(broken_.begin(), broken_.end(),
-            [](const BrokenPair& left, const BrokenPair& right) { return left.bond < right.bond; });
-}
-
 Contacts::Entry Contacts::brokenEntry(const BrokenPair& pair) const {
   const BondClass& bond = network_->bond(pair.bond);
-  return {kNone, pair.bond, pair.restLength, pair.restLength, bond.stiffness, bond.damping, pair.apart};
+  return {kNone, pair.bond, pair.restLength, pair.restLength, bond.stiffness, bond.damping};
 }
 
 void Contacts::collectBroken(const Motion& motion, const Components& components,
                              std::vector<Candidate>& pairs) {
-  std::erase_if(broken_, [&](BrokenPair& pair) {
-    if (distanceOf(motion, pair.a, pair.b) >= pair.restLength) pair.apart = 1;
-    return pair.apart != 0 && settings_.between && components.of(pair.a) != components.of(pair.b);
+  broken_.insert(broken_.end(), fresh_.begin(), fresh_.end());
+  fresh_.clear();
+  std::sort(broken_.begin(), broken_.end(),
+            [](const BrokenPair& left, const BrokenPair& right) { return left.bond < right.bond; });
+  std::erase_if(broken_, [&](const BrokenPair& pair) {
+    return settings_.between && components.of(pair.a) != components.of(pair.b) &&
+           distanceOf(motion, pair.a, pair.b) >= pair.restLength;
   });
   for (const BrokenPair& pair : broken_) {
     if (distanceOf(motion, pair.a, pair.b) < pair.restLength + pairSkin_)
@@ -179,7 +174,7 @@ void Contacts::collectContacts(const Motion& motion, const Components& component
     if (!(stiffness > 0.0)) return;
     const Entry* old = oldEntry(i, j);
     const double rho = old != nullptr ? old->rho : std::min(natural, std::sqrt(squared));
-    pairs.push_back({i, j, {kNone, kNone, natural, rho, stiffness, pairDamping(i, j, stiffness), 0}});
+    pairs.push_back({i, j, {kNone, kNone, natural, rho, stiffness, pairDamping(i, j, stiffness)}});
   });
 }
 
@@ -243,15 +238,14 @@ void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<N
 
 void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
                        std::span<const MovingCollider> colliders) {
-  severalFragments_ = components.births().size() > 1 || settings_.self;
+  const bool several = settings_.between && components.births().size() > 1;
   hasColliders_ = !colliders.empty();
-  rememberApart();
   std::vector<Candidate> pairs;
   collectBroken(motion, components, pairs);
-  if ((severalFragments_ && settings_.between) || settings_.self)
-    collectContacts(motion, components, breakage, pairs);
+  if (several || settings_.self) collectContacts(motion, components, breakage, pairs);
   fillRows(pairs, collectColliders(motion, colliders));
-  if (severalFragments_ || hasColliders_) reference_ = motion.position;
+  pairsMayMeet_ = several || settings_.self || !broken_.empty();
+  if (pairsMayMeet_ || hasColliders_) reference_ = motion.position;
   colliderTravel_ = 0.0;
   slack_ = 0.0;
   stepsToRebuild_ = 0;
@@ -259,16 +253,40 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   ++rebuilds_;
 }
 
+void Contacts::savePairs(ByteWriter& writer, const std::vector<BrokenPair>& pairs) {
+  writer.put<std::uint64_t>(pairs.size());
+  for (const BrokenPair& pair : pairs) {
+    writer.put(pair.bond);
+    writer.put(pair.restLength);
+  }
+}
+
+void Contacts::loadPairs(ByteReader& reader, std::vector<BrokenPair>& pairs) const {
+  pairs.clear();
+  std::uint64_t count = 0;
+  reader.read(count);
+  for (std::uint64_t p = 0; p < count && reader.ok(); ++p) {
+    BondIndex bond = kNone;
+    double restLength = 0.0;
+    if (!reader.read(bond) || !reader.read(restLength)) return;
+    if (bond < network_->bondCount()) {
+      pairs.push_back(brokenPair(bond, restLength));
+    } else {
+      reader.fail();
+    }
+  }
+}
+
 void Contacts::save(ByteWriter& writer) const {
   writer.putVector(rows_);
   writer.putVector(entries_);
   writer.putVector(nearColliders_);
-  writer.putVector(broken_);
-  writer.putVector(fresh_);
+  savePairs(writer, broken_);
+  savePairs(writer, fresh_);
   for (std::size_t k = 0; k < 3; ++k) {
     writer.putVector(std::vector<double>(reference_.axis(k), reference_.axis(k) + reference_.size()));
   }
-  for (const bool flag : {severalFragments_, hasColliders_, stale_}) writer.put<std::uint8_t>(flag ? 1 : 0);
+  for (const bool flag : {pairsMayMeet_, hasColliders_, stale_}) writer.put<std::uint8_t>(flag ? 1 : 0);
   writer.put(slack_);
   writer.put(colliderTravel_);
   writer.put(stepsToRebuild_);
@@ -280,8 +298,8 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   reader.readVector(rows_);
   reader.readVector(entries_);
   reader.readVector(nearColliders_);
-  reader.readVector(broken_);
-  reader.readVector(fresh_);
+  loadPairs(reader, broken_);
+  loadPairs(reader, fresh_);
   std::array<std::vector<double>, 3> reference;
   for (std::vector<double>& axis : reference) reader.readVector(axis);
   std::array<std::uint8_t, 3> flags{};
@@ -290,7 +308,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   reader.read(colliderTravel_);
   reader.read(stepsToRebuild_);
   reader.read(rebuilds_);
-  severalFragments_ = flags[0] != 0;
+  pairsMayMeet_ = flags[0] != 0;
   hasColliders_ = flags[1] != 0;
   stale_ = flags[2] != 0;
 
@@ -300,12 +318,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
     return row.node < nodes && row.firstEntry <= row.lastEntry && row.lastEntry <= entries_.size() &&
            row.firstCollider <= row.lastCollider && row.lastCollider <= nearColliders_.size();
   };
-  const auto properPair = [&](const BrokenPair& pair) {
-    return pair.bond < bonds && pair.a < nodes && pair.b < nodes;
-  };
   bool proper = reader.ok() && std::all_of(rows_.begin(), rows_.end(), properRow) &&
-                std::all_of(broken_.begin(), broken_.end(), properPair) &&
-                std::all_of(fresh_.begin(), fresh_.end(), properPair) &&
                 std::all_of(nearColliders_.begin(), nearColliders_.end(),
                             [&](std::uint32_t c) { return c < colliderCount; });
   proper = proper && std::all_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {

@@ -29,9 +29,9 @@ struct MovingCollider {
 /// Contact of two nodes (P9, docs/numerics.md): force max(0, k (rho - x) - d v_n) along the line between
 /// them, rho at most the natural length; a pair that becomes eligible closer than that starts with rho its
 /// present distance, and rho grows only while the two are apart, so that switching a contact on never adds
-/// energy. A pair whose bond broke repels by that bond's own k and l until it was once apart; then contact
-/// takes over if they are in different fragments (P4). Friction (P10) opposes sliding by friction * k *
-/// intrusion, and never reverses it within a step.
+/// energy. A pair whose bond broke repels by that bond's own k and l (P4); contact takes over at a rebuild
+/// that finds it in different fragments and apart, so that no energy is lost on the way either. Friction
+/// (P10) opposes sliding by friction * k * intrusion, and never reverses it within a step.
 ///
 /// Pairs stand in rows, one row a touched node, both ways round: each node gathers its own force in a fixed
 /// order. The rows cover all that can touch until something has moved by a skin's width; then stale() asks
@@ -103,7 +103,6 @@ class Contacts {
     double rho = 0.0;              ///< cm: present natural length; rest length of a broken bond
     double stiffness = 0.0;        ///< dyn/cm
     double damping = 0.0;          ///< g/s
-    std::uint64_t apart = 0;       ///< a broken bond was once longer than its rest length
   };
   struct Row {
     NodeIndex node = kNone;
@@ -116,7 +115,6 @@ class Contacts {
     BondIndex bond = kNone;
     NodeIndex a = kNone;
     NodeIndex b = kNone;
-    std::uint32_t apart = 0;
     double restLength = 0.0;
   };
   struct Candidate {
@@ -144,7 +142,7 @@ class Contacts {
   double pairDamping(NodeIndex i, NodeIndex j, double stiffness) const;
   bool mayTouch(NodeIndex i, NodeIndex j, const Components& components, const Breakage& breakage) const;
   const Entry* oldEntry(NodeIndex i, NodeIndex j) const;
-  void rememberApart();
+  BrokenPair brokenPair(BondIndex bond, double restLength) const;
   void collectBroken(const Motion& motion, const Components& components, std::vector<Candidate>& pairs);
   void collectContacts(const Motion& motion, const Components& components, const Breakage& breakage,
                        std::vector<Candidate>& pairs);
@@ -153,6 +151,8 @@ class Contacts {
   void fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near);
   const BrokenPair* findBroken(BondIndex bond) const;
   Entry brokenEntry(const BrokenPair& pair) const;
+  static void savePairs(ByteWriter& writer, const std::vector<BrokenPair>& pairs);
+  void loadPairs(ByteReader& reader, std::vector<BrokenPair>& pairs) const;
 
   // Forces (contact_forces.cpp).
   double pairScale(const Entry& entry, NodeIndex node, std::span<const MaterialNow> materials) const;
@@ -162,7 +162,7 @@ class Contacts {
   Push colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment,
                     ColliderWork& work) const;
   ColliderWork pushRow(const Row& row, const Moment& moment, Forces& forces) const;
-  void pushFresh(const Moment& moment, Forces& forces);
+  void pushFresh(const Moment& moment, Forces& forces) const;
   double colliderStiffness(NodeIndex node, const Collider& collider,
                            std::span<const MaterialNow> materials) const;
 
@@ -183,7 +183,8 @@ class Contacts {
   std::vector<BrokenPair> broken_;  ///< by bond
   std::vector<BrokenPair> fresh_;   ///< broken since the last rebuild, in order of breaking
   NodeVectors reference_;           ///< positions at the last rebuild
-  bool severalFragments_ = false;
+  bool pairsMayMeet_ =
+      false;  ///< there are fragments, broken bonds or self contact to keep rows of pairs for
   bool hasColliders_ = false;
   bool stale_ = true;
   double slack_ = 0.0;  ///< cm that may yet be travelled before the displacements must be looked at
