@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "sim/dynamics/stepper.h"
@@ -30,13 +31,19 @@ std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
 }
 
 /// Takes a broken bond out of the lattice. Its tension energy is dropped, by rule 1 of docs/numerics.md; in
-/// compression it keeps its energy and goes on repelling (P4).
+/// compression it keeps its energy and goes on repelling (P4). The bond's last kick carried velocities from
+/// half a step before to half a step behind, so what is dropped is the mean of its energies before and after:
+/// either alone would leave the account wrong in first order of the step.
 void Stepper::loseBond(const BreakEvent& event) {
   const BondClass& bond = network_.bond(event.bond);
   const double restLength = layout_.restLength(network_, event.bond);
-  const double extension = (now_.position.get(event.b) - now_.position.get(event.a)).norm() - restLength;
+  const auto extensionIn = [&](const Motion& motion) {
+    return (motion.position.get(event.b) - motion.position.get(event.a)).norm() - restLength;
+  };
+  const double before = std::max(0.0, extensionIn(next_));
+  const double after = extensionIn(now_);
   const double stiffness = bond.stiffness * controls_.materials()[bond.material].stiffnessScale;
-  if (extension > 0.0) ledger_.addReleased(0.5 * stiffness * extension * extension);
+  if (after > 0.0) ledger_.addReleased(0.25 * stiffness * (before * before + after * after));
   contacts_.addBroken(event.bond, restLength);
   layout_.remove(network_, event.bond);
 }
