@@ -14,14 +14,11 @@ namespace {
 /// Far below anything seen (0.1 nm in a metre), and half the size of the full 17.
 constexpr int kDigits = 9;
 
-/// One word a material, different for different materials.
+/// One word a material. Entries of one name are one material to look at.
 std::vector<std::string> materialNames(const sim::Network& network) {
   std::vector<std::string> names;
   for (const sim::Material& material : network.materials) {
-    std::string name = oneWord(material.name, "material");
-    if (std::find(names.begin(), names.end(), name) != names.end())
-      name.append("_").append(std::to_string(names.size()));
-    names.push_back(name);
+    names.push_back(oneWord(material.name, "material"));
   }
   return names;
 }
@@ -37,6 +34,9 @@ sim::Status writeLibrary(const std::filesystem::path& path, const std::vector<st
                          const std::vector<Look>& looks) {
   TextOutput out(path, kDigits);
   for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i))
+      continue;
     writeMaterial(names[i] + "_outside", looks[i].outside, looks[i].glaze, out);
     writeMaterial(names[i] + "_inside", looks[i].inside, 0.0, out);
   }

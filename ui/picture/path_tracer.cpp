@@ -19,7 +19,7 @@ constexpr float kStraightReflectance = 0.04F;
 constexpr float kBrightestIndirect = 3.0F;
 
 /// What a second bounce finds of light that has bounced more often: a share of the dome's.
-constexpr float kAmbient = 0.18F;
+constexpr float kAmbient = 0.28F;
 
 /// Dimensions of a sample, so that each decision is spread on its own. 0 is the pixel's.
 enum Dimension : std::uint32_t { kFirstKey = 1, kFirstFill, kBounce, kSecondLight, kMirror, kMirrorLight };

@@ -12,8 +12,8 @@ namespace {
 constexpr float kKeyDistance = 4.2F;
 constexpr float kKeyHalfSize = 0.8F;
 constexpr float kFillDistance = 4.5F;
-constexpr float kFillHalfWidth = 0.8F;
-constexpr float kFillHalfHeight = 1.8F;
+constexpr float kFillHalfWidth = 0.5F;
+constexpr float kFillHalfHeight = 1.7F;
 constexpr float kFadeFrom = 2.5F;
 constexpr float kFadeTo = 14.0F;
 
@@ -73,9 +73,9 @@ Studio arrangeStudio(const Camera& camera, const Box& subject) {
 
   Studio studio;
   studio.lights[0] = aimedBox(-0.85F * right + 0.78F * up + 0.45F * towardsCamera, kKeyDistance * size,
-                              kKeyHalfSize * size, kKeyHalfSize * size, Light(3.45F, 3.33F, 3.12F));
+                              kKeyHalfSize * size, kKeyHalfSize * size, Light(4.30F, 4.17F, 3.92F));
   studio.lights[1] = aimedBox(1.0F * right + 0.35F * up + 0.15F * towardsCamera, kFillDistance * size,
-                              kFillHalfWidth * size, kFillHalfHeight * size, Light(0.52F, 0.55F, 0.60F));
+                              kFillHalfWidth * size, kFillHalfHeight * size, Light(0.62F, 0.65F, 0.70F));
   studio.fadeFrom = kFadeFrom * size;
   studio.fadeTo = kFadeTo * size;
   return studio;

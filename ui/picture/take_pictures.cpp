@@ -1,6 +1,7 @@
 #include "ui/picture/take_pictures.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -15,6 +16,20 @@ constexpr std::size_t kFramesLookedAt = 12;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
+/// The median of each coordinate: far splinters do not pull it away.
+sim::Vec3 middleOf(const std::vector<sim::Vec3>& positions) {
+  sim::Vec3 middle = sim::Vec3::Zero();
+  std::vector<double> values(positions.size());
+  const auto half = static_cast<std::ptrdiff_t>(positions.size() / 2);
+  for (int axis = 0; axis < 3 && !positions.empty(); ++axis) {
+    std::transform(positions.begin(), positions.end(), values.begin(),
+                   [axis](const auto& p) { return p[axis]; });
+    std::nth_element(values.begin(), values.begin() + half, values.end());
+    middle[axis] = values[static_cast<std::size_t>(half)];
+  }
+  return middle;
+}
+
 sim::Result<Box> boxOfFrames(const sim::TakeReader& take, std::size_t first, std::size_t last) {
   Box box;
   const std::size_t looks = std::min(kFramesLookedAt, last - first + 1);
@@ -22,28 +37,41 @@ sim::Result<Box> boxOfFrames(const sim::TakeReader& take, std::size_t first, std
     const std::size_t index = looks == 1 ? first : first + look * (last - first) / (looks - 1);
     const auto frame = take.frame(index);
     if (!frame) return frame.problem();
-    box.extend(boxOfMost((*frame)->positions));
+    box.extend(boxOfMost(**frame));
   }
   return box;
 }
 
 }  // namespace
 
-Box boxOfMost(const std::vector<sim::Vec3>& positions) {
-  constexpr double kLeftOut = 0.01;
-  if (positions.empty()) return Box(sim::Vec3::Constant(-1.0), sim::Vec3::Constant(1.0));
-  const auto rank = static_cast<std::ptrdiff_t>(kLeftOut * static_cast<double>(positions.size()));
-  Box box(positions[0]);
-  std::vector<double> values(positions.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    std::transform(positions.begin(), positions.end(), values.begin(),
-                   [axis](const auto& p) { return p[axis]; });
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    box.min()[axis] = values[static_cast<std::size_t>(rank)];
-    std::nth_element(values.begin(), values.end() - 1 - rank, values.end());
-    box.max()[axis] = *(values.end() - 1 - rank);
+Box boxOfMost(const sim::Snapshot& moment) {
+  struct Piece {
+    Box box;
+    std::size_t nodeCount = 0;
+    double distance = 0.0;
+  };
+  std::map<sim::FragmentId, Piece> pieces;
+  for (std::size_t node = 0; node < moment.positions.size(); ++node) {
+    Piece& piece = pieces[moment.fragmentOfNode[node]];
+    piece.box.extend(moment.positions[node]);
+    ++piece.nodeCount;
   }
-  return box;
+  const sim::Vec3 middle = middleOf(moment.positions);
+  std::vector<Piece> byDistance;
+  for (auto& [id, piece] : pieces) {
+    piece.distance = (piece.box.center() - middle).norm();
+    byDistance.push_back(piece);
+  }
+  std::stable_sort(byDistance.begin(), byDistance.end(),
+                   [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
+  Box box;
+  double framed = 0.0;
+  for (const Piece& piece : byDistance) {
+    if (framed >= kFramedShare * static_cast<double>(moment.positions.size())) break;
+    box.extend(piece.box);
+    framed += static_cast<double>(piece.nodeCount);
+  }
+  return box.isEmpty() ? Box(sim::Vec3::Constant(-1.0), sim::Vec3::Constant(1.0)) : box;
 }
 
 TakePictures::TakePictures(const sim::TakeReader& take, modeling::Scene scene)

@@ -29,8 +29,9 @@ class TakePictures {
   Box subject_;
 };
 
-/// Where the mass is: the box that leaves out the outermost hundredth of the nodes on every side, so that a
-/// splinter that flew off does not make everything small.
-Box boxOfMost(const std::vector<sim::Vec3>& positions);
+/// Where most of a moment is: the box of the fragments nearest to its middle that together have kFramedShare
+/// of its nodes, so that shards which flew off do not make everything small. What is whole is framed whole.
+inline constexpr double kFramedShare = 0.8;
+Box boxOfMost(const sim::Snapshot& moment);
 
 }  // namespace ui
