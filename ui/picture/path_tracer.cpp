@@ -112,14 +112,17 @@ Light PathTracer::secondary(const SurfaceHit& hit, const Vec3f& direction, const
   return faded(hit, direction, at.colour * (direct + kAmbient));
 }
 
-Light PathTracer::firstDiffuse(const Shading& at, const PixelSampler& sampler) const {
-  Light light = lightFrom(studio_.lights[0], at, sampler.pair(kFirstKey));
-  light += lightFrom(studio_.lights[1], at, sampler.pair(kFirstFill));
+Light PathTracer::directLight(const Shading& at, const PixelSampler& sampler) const {
+  return lightFrom(studio_.lights[0], at, sampler.pair(kFirstKey)) +
+         lightFrom(studio_.lights[1], at, sampler.pair(kFirstFill));
+}
+
+Light PathTracer::indirectLight(const Shading& at, const PixelSampler& sampler) const {
   const Vec3f bounce = frameAround(at.normal) * cosineHemisphere(sampler.pair(kBounce));
-  if (at.facing.dot(bounce) <= 0.0F) return light;
+  if (at.facing.dot(bounce) <= 0.0F) return Light::Zero();
   const auto hit = scene_.nearest(at.point, bounce);
-  const Light indirect = hit ? secondary(*hit, bounce, sampler, kSecondLight) : studio_.dome(bounce);
-  return light + indirect.min(kBrightestIndirect);
+  const Light light = hit ? secondary(*hit, bounce, sampler, kSecondLight) : studio_.dome(bounce);
+  return light.min(kBrightestIndirect);
 }
 
 Light PathTracer::mirrored(const Shading& at, const Vec3f& direction, const PixelSampler& sampler) const {
@@ -148,16 +151,24 @@ Light PathTracer::faded(const SurfaceHit& hit, const Vec3f& direction, const Lig
   return backdrop + floorShare(hit) * (light - backdrop);
 }
 
-Light PathTracer::radiance(const Vec3f& origin, const Vec3f& direction, const PixelSampler& sampler) const {
+Exposure PathTracer::expose(const Vec3f& origin, const Vec3f& direction, const PixelSampler& sampler) const {
+  Exposure exposure;
   const auto hit = scene_.nearest(origin, direction);
-  if (!hit || (hit->look == nullptr && floorShare(*hit) <= 0.0F)) return studio_.backdrop(direction);
-  const Shading at = shadingAt(*hit);
-  Light light = at.colour * firstDiffuse(at, sampler);
-  if (at.glaze > 0.0F) {
-    const float through = 1.0F - fresnel(std::abs(at.normal.dot(direction)));
-    light += at.glaze * (mirrored(at, direction, sampler) - (1.0F - through) * light);
+  if (!hit || (hit->look == nullptr && floorShare(*hit) <= 0.0F)) {
+    exposure.rest = studio_.backdrop(direction);
+    return exposure;
   }
-  return faded(*hit, direction, light);
+  const Shading at = shadingAt(*hit);
+  const float share = hit->look == nullptr ? floorShare(*hit) : 1.0F;
+  const float through = 1.0F - at.glaze * fresnel(std::abs(at.normal.dot(direction)));
+  exposure.colour = share * through * at.colour;
+  exposure.indirect = indirectLight(at, sampler);
+  exposure.rest = exposure.colour * directLight(at, sampler);
+  if (at.glaze > 0.0F) exposure.rest += at.glaze * mirrored(at, direction, sampler);
+  if (share < 1.0F) exposure.rest += (1.0F - share) * studio_.backdrop(direction);
+  exposure.point = hit->point;
+  exposure.normal = at.normal;
+  return exposure;
 }
 
 }  // namespace ui

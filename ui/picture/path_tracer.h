@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/picture/film.h"
 #include "ui/picture/sampling.h"
 #include "ui/picture/studio.h"
 #include "ui/picture/traced_scene.h"
@@ -12,15 +13,16 @@ class PathTracer {
  public:
   PathTracer(const TracedScene& scene, const Studio& studio) : scene_(scene), studio_(studio) {}
 
-  /// Radiance that arrives at `origin` from the unit `direction`, one sample of it.
-  Light radiance(const Vec3f& origin, const Vec3f& direction, const PixelSampler& sampler) const;
+  /// The light that arrives at `origin` from the unit `direction`, one sample of it.
+  Exposure expose(const Vec3f& origin, const Vec3f& direction, const PixelSampler& sampler) const;
 
  private:
   struct Shading;
 
   Shading shadingAt(const SurfaceHit& hit) const;
   Light lightFrom(const SoftBox& box, const Shading& at, const std::array<float, 2>& random) const;
-  Light firstDiffuse(const Shading& at, const PixelSampler& sampler) const;
+  Light directLight(const Shading& at, const PixelSampler& sampler) const;
+  Light indirectLight(const Shading& at, const PixelSampler& sampler) const;
   Light mirrored(const Shading& at, const Vec3f& direction, const PixelSampler& sampler) const;
   Light secondary(const SurfaceHit& hit, const Vec3f& direction, const PixelSampler& sampler,
                   std::uint32_t dimension) const;

@@ -16,7 +16,7 @@ namespace ui {
 namespace {
 
 constexpr int kTile = 16;
-constexpr int kLargestSide = 16384;
+constexpr int kLargestSide = 8192;
 constexpr int kMostSamples = 65536;
 
 /// Radiance above this is rolled off, so that a white glaze in full light keeps its form.
@@ -31,7 +31,7 @@ std::uint16_t shown(float radiance) {
 }
 
 /// Rays through pixels, in coordinates relative to the middle of the subject.
-struct Film {
+struct Lens {
   Vec3f origin;
   Vec3f forward;
   Vec3f acrossPixel;  ///< at distance 1
@@ -39,7 +39,7 @@ struct Film {
   int width;
   int height;
 
-  Film(const Camera& camera, const sim::Vec3& middle, int pixelWidth, int pixelHeight)
+  Lens(const Camera& camera, const sim::Vec3& middle, int pixelWidth, int pixelHeight)
       : origin((camera.position - middle).cast<float>()), width(pixelWidth), height(pixelHeight) {
     sim::Vec3 ahead = camera.target - camera.position;
     ahead = ahead.norm() > 0.0 ? sim::Vec3(ahead.normalized()) : -sim::Vec3::UnitZ();
@@ -62,13 +62,12 @@ class Renderer {
  public:
   Renderer(const TracedScene& traced, const PictureScene& scene, const PictureSettings& settings)
       : tracer_(traced, studio_),
-        film_(scene.camera, scene.subject.center(), settings.width, settings.height),
+        lens_(scene.camera, scene.subject.center(), settings.width, settings.height),
         settings_(settings),
         studio_(arrangeStudio(scene.camera, scene.subject)) {
-    image_.width = settings.width;
-    image_.height = settings.height;
-    image_.samples.resize(3U * static_cast<std::size_t>(settings.width) *
-                          static_cast<std::size_t>(settings.height));
+    film_.width = settings.width;
+    film_.height = settings.height;
+    film_.pixels.resize(static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height));
   }
 
   sim::Result<Image> render() {
@@ -82,9 +81,10 @@ class Renderer {
         drawTile((tile % tilesAcross) * kTile, (tile / tilesAcross) * kTile);
         tell(tileCount);
       });
+      if (!cancelled_) smoothIndirect(film_);
     });
     if (cancelled_) return sim::Problem{"", "the picture was cancelled", ""};
-    return std::move(image_);
+    return developed();
   }
 
  private:
@@ -95,19 +95,27 @@ class Renderer {
   }
 
   void drawPixel(int x, int y) {
-    const auto pixel = static_cast<std::uint32_t>(y * settings_.width + x);
-    PixelSampler sampler(settings_.seed * 0x9e3779b9U + pixel);
-    Light sum = Light::Zero();
+    const auto index = static_cast<std::uint32_t>(y * settings_.width + x);
+    PixelSampler sampler(settings_.seed * 0x9e3779b9U + index);
+    FilmPixel& pixel = film_.pixels[index];
     for (int sample = 0; sample < settings_.samples; ++sample) {
       sampler.startSample(static_cast<std::uint32_t>(sample));
       const auto offset = filterOffset(sampler.pair(0));
       const Vec3f direction =
-          film_.direction(static_cast<float>(x) + 0.5F + offset[0], static_cast<float>(y) + 0.5F + offset[1]);
-      sum += tracer_.radiance(film_.origin, direction, sampler);
+          lens_.direction(static_cast<float>(x) + 0.5F + offset[0], static_cast<float>(y) + 0.5F + offset[1]);
+      pixel.add(tracer_.expose(lens_.origin, direction, sampler));
     }
-    const Light mean = sum / static_cast<float>(settings_.samples);
-    for (unsigned channel = 0; channel < 3; ++channel)
-      image_.samples[3UL * pixel + channel] = shown(mean[channel]);
+    pixel.finish();
+  }
+
+  Image developed() const {
+    Image image{.width = film_.width, .height = film_.height, .samples = {}};
+    image.samples.reserve(3 * film_.pixels.size());
+    for (const FilmPixel& pixel : film_.pixels) {
+      const Light light = pixel.mean.light();
+      for (int channel = 0; channel < 3; ++channel) image.samples.push_back(shown(light[channel]));
+    }
+    return image;
   }
 
   void tell(int tileCount) {
@@ -117,10 +125,10 @@ class Renderer {
   }
 
   PathTracer tracer_;
+  Lens lens_;
   Film film_;
   const PictureSettings& settings_;
   Studio studio_;
-  Image image_;
   std::mutex mutex_;
   int tilesDone_ = 0;
   std::atomic<bool> cancelled_ = false;
@@ -142,7 +150,7 @@ std::vector<TracedScene::Plane> floorsOf(const PictureScene& scene) {
 sim::Result<Image> renderPicture(const PictureScene& scene, const PictureSettings& settings) {
   const auto inRange = [](int value, int largest) { return value >= 1 && value <= largest; };
   if (!inRange(settings.width, kLargestSide) || !inRange(settings.height, kLargestSide)) {
-    return sim::Problem{"", "a picture has 1 to 16384 pixels a side", "give a size such as 1280x720"};
+    return sim::Problem{"", "a picture has 1 to 8192 pixels a side", "give a size such as 1280x720"};
   }
   if (!inRange(settings.samples, kMostSamples)) {
     return sim::Problem{"", "a pixel takes 1 to 65536 samples", "give a number such as 48"};

@@ -24,7 +24,7 @@ struct PictureScene {
 struct PictureSettings {
   int width = 1280;
   int height = 720;
-  int samples = 64;        ///< paths a pixel
+  int samples = 40;        ///< paths a pixel
   std::uint32_t seed = 1;  ///< of the paths; a picture is the same for any number of threads
   int threads = 0;         ///< 0: all there are
   /// Told the share that is done, from one thread at a time; answers false to cancel.
