@@ -16,10 +16,10 @@ constexpr double kNearShare = 1.1;
 
 /// Friction force (P10): against the slip, friction * k * intrusion, but never more than stops it within the
 /// step.
-Vec3 frictionForce(const Vec3& slip, double limit, double massShare, double step) {
+Vec3 frictionForce(const Vec3& slip, double limit, double massShare, double kick) {
   const double speed = slip.norm();
   if (!(speed > 0.0)) return Vec3::Zero();
-  return -std::min(limit / speed, massShare / step) * slip;
+  return -std::min(limit / speed, massShare / kick) * slip;
 }
 
 double spring(double stiffness, double intrusion) {
@@ -73,7 +73,7 @@ Contacts::Push Contacts::pairPush(const Row& row, const Entry& entry, const Mome
   if (entry.brokenBond == kNone && settings_.friction > 0.0) {
     const double reduced = 1.0 / (1.0 / massShare(row.node) + 1.0 / massShare(entry.other));
     const Vec3 slip = -(relative - separating * direction);
-    const Vec3 friction = frictionForce(slip, settings_.friction * elastic, reduced, moment.step);
+    const Vec3 friction = frictionForce(slip, settings_.friction * elastic, reduced, moment.kick);
     push.total += friction;
     push.lossy += friction;
   }
@@ -101,10 +101,10 @@ Contacts::Push Contacts::colliderPush(const Row& row, const MovingCollider& coll
   const double damping = 2.0 * collider.shape.dampingRatio * std::sqrt(stiffness * mass);
   const double normal = std::max(0.0, elastic - damping * leaving);
   const Vec3 friction = frictionForce(relative - leaving * inside.normal, collider.shape.friction * elastic,
-                                      massShare(row.node), moment.step);
+                                      massShare(row.node), moment.kick);
   const Push push{normal * inside.normal + friction, (normal - elastic) * inside.normal + friction};
-  work.outside += push.total.dot(carried) * moment.step;
-  work.dissipated += push.lossy.dot(carried) * moment.step;
+  work.outside += push.total.dot(carried) * moment.kick;
+  work.dissipated += push.lossy.dot(carried) * moment.kick;
   return push;
 }
 

@@ -77,11 +77,17 @@ void Contacts::noteBirths() {
   if (stepsToRebuild_ == 0) stepsToRebuild_ = kStepsAfterBirth;
 }
 
-void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
+void Contacts::moveColliders(double travel) {
+  if (stale_ || !hasColliders_) return;
+  colliderTravel_ += travel;
+  slack_ -= travel;
+  if (slack_ < 0.0) stale_ = true;
+}
+
+void Contacts::age(const Motion& motion, double travel) {
   if (stepsToRebuild_ > 0 && --stepsToRebuild_ == 0) stale_ = true;
   if (stale_ || !(pairsMayMeet_ || hasColliders_)) return;
-  colliderTravel_ += colliderTravel;
-  slack_ -= travel + colliderTravel;
+  slack_ -= travel;
   if (slack_ > 0.0) return;
 
   // The bound ran out: look how far nodes really are from where the rows were built, apart from what all have
@@ -94,7 +100,7 @@ void Contacts::age(const Motion& motion, double travel, double colliderTravel) {
   const double colliderRoom = hasColliders_ ? colliderSkin_ - moved.largest - colliderTravel_ : unlimited;
   // Half again, since what all have in common may change as well.
   slack_ = 0.5 * std::min(pairRoom, colliderRoom);
-  if (slack_ < travel + colliderTravel) stale_ = true;
+  if (slack_ < travel) stale_ = true;
 }
 
 Contacts::Displacements Contacts::displacements(const Motion& motion) const {

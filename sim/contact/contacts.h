@@ -45,16 +45,17 @@ class Contacts {
     const Motion& motion;
     std::span<const MovingCollider> colliders;
     std::span<const MaterialNow> materials;
-    double step = 0.0;  ///< s, for the clamp of friction
+    double kick = 0.0;  ///< s: how long the forces act, for the clamp of friction and the colliders' work
   };
 
   /// A bond broke at this rest length: it goes on repelling.
   void addBroken(BondIndex bond, double restLength);
   /// Fragments were born: new pairs may touch. A burst of breaks shares one rebuild a few steps later.
   void noteBirths();
-  /// Ages the rows by one step in which no node moved further than `travel` and no collider further than
-  /// `colliderTravel` (cm).
-  void age(const Motion& motion, double travel, double colliderTravel);
+  /// No collider moved further than this since the rows were last asked whether they are stale, cm.
+  void moveColliders(double travel);
+  /// Ages the rows by one step in which no node moved further than `travel` (cm).
+  void age(const Motion& motion, double travel);
   bool stale() const { return stale_; }
   void rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
                std::span<const MovingCollider> colliders);

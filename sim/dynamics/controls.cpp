@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 namespace {
 
-/// Distance of the furthest point of a collider's surface from its origin, cm.
+/// Distance of the furthest point of a collider's surface from its origin, cm. A plane has none.
 double reachOf(const Collider& collider) {
   switch (collider.shape) {
     case ColliderShape::floor:
-      return 0.0;
+      return std::numeric_limits<double>::max();
     case ColliderShape::box:
       return collider.halfSize.norm();
     case ColliderShape::sphere:
@@ -37,7 +38,7 @@ Controls::Controls(const Network& network, Environment environment, std::vector<
 Controls::Change Controls::moveTo(double time) {
   if (tracks_.empty()) return {};
   Change change;
-  change.colliders = moveColliders(time);
+  change.leap = moveColliders(time);
   Vec3 gravity = environment_.gravity;
   double gravityScale = 1.0;
   std::vector<MaterialNow> materials = materials_;
@@ -67,18 +68,18 @@ Controls::Change Controls::moveTo(double time) {
 
 bool Controls::moveColliders(double time) {
   colliderTravel_ = 0.0;
-  bool moved = false;
+  bool leapt = false;
   for (const Track& track : tracks_) {
     const bool shifts = track.target == TrackTarget::colliderPosition;
     const bool turns = track.target == TrackTarget::colliderRotation;
     if (!shifts && !turns) continue;
     MovingCollider& collider = colliders_[track.object];
-    moved = true;
+    double travel = 0.0;
     if (shifts) {
       const Vec3 before = collider.shape.position;
       collider.shape.position = track.valueAt(time);
       collider.velocity = track.slopeAt(time);
-      colliderTravel_ = std::max(colliderTravel_, (collider.shape.position - before).norm());
+      travel = (collider.shape.position - before).norm();
     } else {
       const Vec3 rotation = track.valueAt(time);
       const double angle = rotation.norm();
@@ -88,11 +89,13 @@ bool Controls::moveColliders(double time) {
           Eigen::AngleAxisd(angle, axis) * environment_.colliders[track.object].rotation;
       // Exact where the axis stays the same between keys, which is what keys of a turn are.
       collider.angularVelocity = track.slopeAt(time);
-      colliderTravel_ = std::max(colliderTravel_,
-                                 before.angularDistance(collider.shape.rotation) * reachOf(collider.shape));
+      if (before.coeffs() != collider.shape.rotation.coeffs())
+        travel = before.angularDistance(collider.shape.rotation) * reachOf(collider.shape);
     }
+    leapt |= travel > 0.0 && track.interpolation == Interpolation::step;
+    colliderTravel_ = std::max(colliderTravel_, travel);
   }
-  return moved;
+  return leapt;
 }
 
 void Controls::setFlow(const Network& network, double step) {

@@ -17,7 +17,7 @@ class Controls {
   struct Change {
     bool gravity = false;
     bool stiffness = false;  ///< stiffness or damping of some material
-    bool colliders = false;
+    bool leap = false;       ///< a collider is elsewhere without having moved there
   };
   Change moveTo(double time);
   bool hasTracks() const { return !tracks_.empty(); }
@@ -33,6 +33,7 @@ class Controls {
   double largestDampingScale() const;
 
  private:
+  /// True when one leapt, by a track of steps.
   bool moveColliders(double time);
 
   Environment environment_;

@@ -58,8 +58,12 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
   });
 }
 
+double Stepper::kick() const {
+  return settings_.method == Method::velocityVerlet ? 0.5 * (lastStep_ + step_) : step_;
+}
+
 Contacts::Moment Stepper::moment() const {
-  return {now_, controls_.colliders(), controls_.materials(), step_};
+  return {now_, controls_.colliders(), controls_.materials(), kick()};
 }
 
 double Stepper::potentialEnergy() const {
@@ -76,13 +80,16 @@ void Stepper::applyControls() {
   const Controls::Change change = ahead.moveTo(controlsTime_);
   if (change.gravity)
     ledger_.addOutsideWork(ledger_.gravityWork(now_.position, gravityBefore, ahead.gravity()));
-  if (change.stiffness) {
+  if (change.stiffness || change.leap) {
     const double before = potentialEnergy();
     controls_ = std::move(ahead);
+    contacts_.moveColliders(controls_.colliderTravel());
+    refreshContacts();
     ledger_.addOutsideWork(potentialEnergy() - before);
     chooseStep();
   } else {
     controls_ = std::move(ahead);
+    contacts_.moveColliders(controls_.colliderTravel());
   }
 }
 
@@ -158,7 +165,7 @@ Status Stepper::stepInArena() {
     work_.contactPairs += contacts_.pairCount();
   }
   KernelStep step = kernelStep(now_, next_);
-  step.kick = settings_.method == Method::velocityVerlet ? 0.5 * (lastStep_ + step_) : step_;
+  step.kick = kick();
   step.drift = step_;
   step.driftByOldVelocity = settings_.method == Method::forwardEuler;
   step.flowing = true;
@@ -173,7 +180,7 @@ Status Stepper::stepInArena() {
   ++work_.steps;
   work_.bondsEvaluated += network_.bondCount() - breakage_.brokenBondCount();
   work_.bondsSkipped += breakage_.brokenBondCount();
-  contacts_.age(now_, travel, controls_.colliderTravel());
+  contacts_.age(now_, travel);
   breakOverstretched();
   return work_.steps % kStepsPerLedger == 0 ? watchEnergy() : Status(Done{});
 }

@@ -60,6 +60,8 @@ class Stepper {
   void refreshContacts();
   void chooseStep();
   void setStep(double step);
+  /// s: how long this step's forces act on the velocities.
+  double kick() const;
   KernelStep kernelStep(const Motion& from, Motion& to) const;
   void runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const;
   /// Sums the blocks' reports; a Problem when a speed is not finite.

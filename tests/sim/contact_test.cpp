@@ -246,7 +246,7 @@ TEST_CASE("lists of neighbours find every pair that touches, however nodes move 
       motion.velocity.set(n, velocity);
       motion.position.add(n, kStep * velocity);
     }
-    contacts.age(motion, travel, 0.0);
+    contacts.age(motion, travel);
   }
   CHECK(pushing > 3000);
   // The lists are kept for a while, or this would show nothing.
