@@ -28,8 +28,10 @@ double spring(double stiffness, double intrusion) {
 
 }  // namespace
 
-/// Tracks that soften a material soften its contacts too, so that they stay no stiffer than its bonds.
+/// Tracks that soften a material soften its contacts too, so that they stay no stiffer than its bonds. A
+/// broken bond keeps to its own material, or its energy would change as it breaks.
 double Contacts::pairScale(const Entry& entry, NodeIndex node, std::span<const MaterialNow> materials) const {
+  if (entry.brokenBond != kNone) return materials[network_->bond(entry.brokenBond).material].stiffnessScale;
   const double own = materials[network_->nodeMaterials[node]].stiffnessScale;
   return std::min(own, materials[network_->nodeMaterials[entry.other]].stiffnessScale);
 }
@@ -211,8 +213,9 @@ Contacts::Stiffest Contacts::stiffest(const Moment& moment) const {
       const Entry& entry = entries_[e];
       const double distance = (moment.motion.position.get(entry.other) - here).norm();
       if (distance > kNearShare * entry.rho) continue;
-      stiffness += 2.0 * pairScale(entry, row.node, moment.materials) * entry.stiffness;
-      damping += 2.0 * entry.damping;
+      const double scale = pairScale(entry, row.node, moment.materials);
+      stiffness += 2.0 * scale * entry.stiffness;
+      damping += 2.0 * std::sqrt(scale) * entry.damping;
     }
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
       const Collider& collider = moment.colliders[nearColliders_[c]].shape;

@@ -248,7 +248,9 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   hasColliders_ = !colliders.empty();
   std::vector<Candidate> pairs;
   collectBroken(motion, components, pairs);
-  if (several || settings_.self) collectContacts(motion, components, breakage, pairs);
+  // Nodes without bonds have no size.
+  if ((several || settings_.self) && largestNatural_ > 0.0)
+    collectContacts(motion, components, breakage, pairs);
   fillRows(pairs, collectColliders(motion, colliders));
   pairsMayMeet_ = several || settings_.self || !broken_.empty();
   if (pairsMayMeet_ || hasColliders_) reference_ = motion.position;
