@@ -253,6 +253,14 @@ TEST_CASE("lists of neighbours find every pair that touches, however nodes move 
   CHECK(contacts.rebuilds() < kSteps / 3);
 }
 
+TEST_CASE("nodes without bonds have no size and pass each other by") {
+  sim::Blueprint dust = rods({Vec3::Zero(), Vec3(1.0, 0.0, 0.0)}, {Vec3(10.0, 0.0, 0.0), Vec3::Zero()});
+  dust.bonds.clear();
+  const auto passing = tests::simulation(dust, tests::losslessSettings());
+  tests::run(*passing, 0.5);
+  CHECK(passing->snapshot().positions[0].x() == Approx(5.0));
+}
+
 constexpr double kGravity = 981.0;
 
 /// One node that slides on a floor of stiffness 1e6, resting in it as deep as its weight asks.
