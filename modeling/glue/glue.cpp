@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <unordered_map>
 #include <unordered_set>
 
+#include "modeling/glue/nearest.h"
 #include "modeling/shapes/quality.h"
 
 namespace modeling {
@@ -89,21 +91,80 @@ class Gluer {
                         "keep one of the two"};
   }
 
-  /// The pairs of a gluing, without the nodes that an earlier one dropped; `taken` counts those.
-  sim::Result<GluePreview> previewRemaining(std::size_t index, std::size_t& taken) const {
+  /// The part as the gluings so far have left it: its nodes where they are now, and after them those of the
+  /// other parts with which it shares cells, so that gluing it further minds those cells too.
+  GluePart asItStands(std::size_t index) {
+    GluePart part = parts_[index];
+    std::unordered_map<NodeIndex, NodeIndex> local;
+    const NodeIndex first = firstNode_[index];
+    for (NodeIndex node = 0; node < parts_[index].nodes.size(); ++node) {
+      part.nodes[node] = position(root(first + node));
+      if (result_.gluedBy[index][node] == kNone) local[first + node] = node;
+    }
+    for (std::size_t other = 0; other < parts_.size(); ++other) {
+      if (other == index) continue;
+      const auto& gluedBy = result_.gluedBy[other];
+      for (const sim::CellCorners& cell : parts_[other].cells) {
+        const auto isShared = [&](NodeIndex corner) {
+          return gluedBy[corner] != kNone && partOf(root(firstNode_[other] + corner)) == index;
+        };
+        if (std::none_of(cell.begin(), cell.end(), isShared)) continue;
+        sim::CellCorners& shared = part.cells.emplace_back();
+        for (std::size_t c = 0; c < 8; ++c) {
+          const NodeIndex node = root(firstNode_[other] + cell[c]);
+          const auto [entry, isNew] = local.try_emplace(node, static_cast<NodeIndex>(part.nodes.size()));
+          if (isNew) part.nodes.push_back(position(node));
+          shared[c] = entry->second;
+        }
+      }
+    }
+    return part;
+  }
+  std::size_t partOf(NodeIndex node) const {
+    return static_cast<std::size_t>(std::upper_bound(firstNode_.begin(), firstNode_.end(), node) -
+                                    firstNode_.begin()) -
+           1;
+  }
+  const Vec3& position(NodeIndex node) const {
+    const std::size_t part = partOf(node);
+    return parts_[part].nodes[node - firstNode_[part]];
+  }
+
+  /// The pairs of a gluing, without the nodes that an earlier one dropped.
+  sim::Result<GluePreview> previewRemaining(std::size_t index) {
     GlueSettings settings = glues_[index];
-    const GluePart& a = parts_[settings.a];
-    const GluePart& b = parts_[settings.b];
-    auto whole = previewGlue(a, b, settings);
-    if (!whole || !settings.explicitPairs.empty()) return whole;
+    if (settings.a == settings.b || !settings.explicitPairs.empty())
+      return previewGlue(parts_[settings.a], parts_[settings.b], settings);
+    for (const NodeIndex node : settings.excludedNodes)
+      if (node >= parts_[settings.a].nodes.size())
+        return previewGlue(parts_[settings.a], parts_[settings.b], settings);
+    const GluePart a = asItStands(settings.a);
+    GluePart b = parts_[settings.b];
+    for (NodeIndex node = 0; node < b.nodes.size(); ++node)
+      b.nodes[node] = position(root(firstNode_[settings.b] + node));
     const std::vector<std::uint32_t>& dropped = result_.gluedBy[settings.a];
-    for (const GluePair& pair : whole->pairs)
-      if (dropped[pair.a] != kNone) settings.excludedNodes.push_back(pair.a);
-    taken = settings.excludedNodes.size() - glues_[index].excludedNodes.size();
-    if (taken == 0) return whole;
-    if (taken < whole->pairs.size()) return previewGlue(a, b, settings);
-    return sim::Problem{"", "all nodes of '" + a.name + "' in reach of '" + b.name + "' were glued before",
-                        "glue these parts first, or leave this gluing out"};
+    for (NodeIndex node = 0; node < a.nodes.size(); ++node)
+      if (node >= dropped.size() || dropped[node] != kNone) settings.excludedNodes.push_back(node);
+    return previewGlue(a, b, settings);
+  }
+
+  /// Nodes that a gluing would choose, had not an earlier one dropped them.
+  std::size_t countTaken(const GlueSettings& settings) const {
+    if (!settings.explicitPairs.empty()) return 0;
+    const std::vector<std::uint32_t>& dropped = result_.gluedBy[settings.a];
+    if (std::all_of(dropped.begin(), dropped.end(), [](std::uint32_t by) { return by == kNone; })) return 0;
+    const NearestPoints index(parts_[settings.b].nodes);
+    const std::unordered_set<NodeIndex> excluded(settings.excludedNodes.begin(),
+                                                 settings.excludedNodes.end());
+    std::size_t count = 0;
+    for (NodeIndex node = 0; node < dropped.size(); ++node) {
+      const Vec3& place = parts_[settings.a].nodes[node];
+      if (dropped[node] == kNone || excluded.contains(node) ||
+          (settings.region && !settings.region->contains(place)))
+        continue;
+      count += index.nearest(place, settings.reach).has_value();
+    }
+    return count;
   }
 
   std::optional<sim::Problem> apply(std::size_t index) {
@@ -114,7 +175,8 @@ class Gluer {
     GlueReport report;
     report.a = a.name;
     report.b = b.name;
-    const auto preview = previewRemaining(index, report.nodesTaken);
+    const auto preview = previewRemaining(index);
+    report.nodesTaken = preview ? countTaken(settings) : 0;
     if (!preview) return preview.problem();
     report.nodesReleased = preview->nodesReleased;
     const std::vector<std::uint32_t>& dropped = result_.gluedBy[settings.a];

@@ -23,9 +23,10 @@ using sim::Vec3;
 /// are then dropped.
 ///
 /// Deviations, where nodes are chosen by reach: of two a-nodes with the same nearest b-node the farther takes
-/// the nearest that is free and in reach, since two corners in one node flatten a cell; where that would
-/// twist a cell, it goes back to its nearest; and where a cell would be twisted even so, its farthest corner
-/// is let go and not glued.
+/// the nearest that is free, in reach, and at most half as far again, since two corners in one node flatten a
+/// cell; where that would twist a cell, it goes back to its nearest; and where a cell would be twisted even
+/// so, its farthest corner is let go and not glued. A reach of about half the cell size is usual; a much
+/// larger one chooses inner layers that are then let go.
 
 /// One part as gluing sees it.
 struct GluePart {

@@ -15,8 +15,15 @@ namespace {
 using sim::kNone;
 
 /// A cell whose scaled Jacobian gluing would bring below this, and to less than half of what it was, is not
-/// worth having.
+/// worth having; nor one whose longest edge would be this many times its shortest, and twice what it was:
+/// short edges make short steps.
 constexpr double kTwisted = 0.1;
+constexpr double kLong = 6.0;
+
+/// How much farther than the nearest partner another may be. With a wide reach, taking any in reach scatters
+/// the inner layers of a part, and two thirds of the pairs have to be let go again as twisted (measured on a
+/// teapot's handle).
+constexpr double kAlternative = 1.5;
 
 std::string inCentimetres(double length) {
   char text[32];
@@ -129,12 +136,16 @@ class Pairing {
       if (!index_.taken(best.b)) {
         index_.take(best.b);
         partner_[best.a] = {best.b, best.distance};
-      } else if (const auto other = index_.nearestFree(a_.nodes[best.a], settings_.reach)) {
+      } else if (const auto other = index_.nearestFree(a_.nodes[best.a], alternativeReach(best.a))) {
         queue.push({other->distance, best.a, other->point});
       } else {
         partner_[best.a] = nearest_[best.a];
       }
     }
+  }
+
+  double alternativeReach(NodeIndex node) const {
+    return std::min(settings_.reach, kAlternative * nearest_[node].distance);
   }
 
   /// Where a cell would be twisted by corners that had to make way, they go back to their nearest, where it
@@ -177,11 +188,13 @@ class Pairing {
       moved += partner != kNone;
       corners[c] = partner != kNone ? b_.nodes[partner] : a_.nodes[cell[c]];
       for (std::size_t before = 0; before < c; ++before)
-        if (partner != kNone && partner_[cell[before]].point == partner) return false;
+        if (corners[before] == corners[c]) return false;
     }
     if (moved == 0 || moved == 8) return false;
-    const double quality = scaledJacobian(corners);
-    return quality < kTwisted && quality < 0.5 * scaledJacobian(cornerPositions(a_.nodes, cell));
+    const CornerPositions original = cornerPositions(a_.nodes, cell);
+    const double quality = scaledJacobian(corners), aspect = cellAspect(corners);
+    return (quality < kTwisted && quality < 0.5 * scaledJacobian(original)) ||
+           (aspect > kLong && aspect > 2.0 * cellAspect(original));
   }
 
   const GluePart& a_;

@@ -24,16 +24,17 @@ enum class SweepSection {
 ///
 /// The section's plane has a first and a second axis. With one curve it is perpendicular to the curve, which
 /// passes through its centre; the first axis starts as near as may be to `firstAxis` and turns about the
-/// curve no more than it must (rotation-minimising), or with `keepFirstAxis` is `firstAxis` made
-/// perpendicular to the curve everywhere. With a second curve the two are rails: the section is centred
-/// between points of equal share of length, its first axis runs from the first rail to the second, half their
-/// distance being the half width (halfWidth is not read), and its second axis is perpendicular to that and to
-/// the way the sweep goes. The teapot's handle and spout are given so.
+/// curve no more than it must (rotation-minimising: double reflection, Wang et al. 2008), or with
+/// `keepFirstAxis` is `firstAxis` made perpendicular to the curve everywhere. With a second curve of as many
+/// segments the two are rails: the section is centred between points of equal Bezier parameter, its first
+/// axis runs from the first rail to the second, half their distance being the half width (halfWidth is not
+/// read), and its second axis is perpendicular to that and to the way the sweep goes. The teapot's handle and
+/// spout are given so.
 ///
-/// u runs along the curve. disc and ring: v around, w outwards. rectangle: v along the first axis, w along
-/// the second. arc: v from startAngle to endAngle, w outwards through the wall. disc: cells around are a
-/// multiple of 8; cells outwards count from the axis and are not read (the disc's own layout fixes them).
-/// Angles run from the first axis towards the second.
+/// u runs along the curve, evenly spaced by length. disc and ring: v around, w outwards. rectangle: v along
+/// the first axis, w along the second. arc: v from startAngle to endAngle, w outwards through the wall. disc:
+/// cells around are a multiple of 8; cells outwards follow from them and are not read. Angles run from the
+/// first axis towards the second.
 struct CurvedCylinderShape {
   CurveChain curve;
   CurveChain secondRail;           ///< empty: `curve` is the centre line

@@ -13,6 +13,21 @@ namespace {
 constexpr std::array<std::array<std::size_t, 2>, 12> kEdges{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
+struct EdgeRange {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0.0, sum = 0.0;
+};
+
+EdgeRange edgeRange(const CornerPositions& corners) {
+  EdgeRange range;
+  for (const auto& [start, end] : kEdges) {
+    const double length = (corners[end] - corners[start]).norm();
+    range.shortest = std::min(range.shortest, length);
+    range.longest = std::max(range.longest, length);
+    range.sum += length;
+  }
+  return range;
+}
+
 double tripleProduct(const Vec3& a, const Vec3& b, const Vec3& c) {
   return a.cross(b).dot(c);
 }
@@ -40,6 +55,11 @@ double scaledJacobian(const CornerPositions& corners) {
     smallest = std::min(smallest, scaled);
   }
   return smallest;
+}
+
+double cellAspect(const CornerPositions& corners) {
+  const EdgeRange range = edgeRange(corners);
+  return range.longest / range.shortest;
 }
 
 double cellVolume(const CornerPositions& corners) {
@@ -73,14 +93,9 @@ LatticeQuality measure(const Lattice& lattice) {
   double jacobians = 0.0, aspects = 0.0, edges = 0.0;
   for (std::size_t cell = 0; cell < lattice.cells.size(); ++cell) {
     const CornerPositions corners = cornerPositions(lattice.nodes, lattice.cells[cell]);
-    double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
-    for (const auto& [start, end] : kEdges) {
-      const double length = (corners[end] - corners[start]).norm();
-      shortest = std::min(shortest, length);
-      longest = std::max(longest, length);
-      edges += length;
-    }
-    const double jacobian = scaledJacobian(corners), aspect = longest / shortest;
+    const EdgeRange range = edgeRange(corners);
+    const double jacobian = scaledJacobian(corners), aspect = range.longest / range.shortest;
+    edges += range.sum;
     jacobians += jacobian;
     aspects += aspect;
     if (jacobian < quality.minScaledJacobian) {
@@ -91,8 +106,8 @@ LatticeQuality measure(const Lattice& lattice) {
       quality.maxAspect = aspect;
       quality.longestCell = static_cast<sim::CellIndex>(cell);
     }
-    quality.minEdge = std::min(quality.minEdge, shortest);
-    quality.maxEdge = std::max(quality.maxEdge, longest);
+    quality.minEdge = std::min(quality.minEdge, range.shortest);
+    quality.maxEdge = std::max(quality.maxEdge, range.longest);
     quality.volume += cellVolume(corners);
   }
   const auto count = static_cast<double>(lattice.cells.size());

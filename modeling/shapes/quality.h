@@ -31,6 +31,9 @@ CornerPositions cornerPositions(const std::vector<Vec3>& nodes, const sim::CellC
 /// The smallest, over the corners, of the triple product of the three unit edges that leave it.
 double scaledJacobian(const CornerPositions& corners);
 
+/// Longest over shortest edge.
+double cellAspect(const CornerPositions& corners);
+
 /// Volume of the trilinear cell, cm^3; negative where it is inside out.
 double cellVolume(const CornerPositions& corners);
 

@@ -9,6 +9,7 @@
 
 #include "modeling/glue/nearest.h"
 #include "modeling/shapes/slab.h"
+#include "tests/modeling/shapes_teapot.h"
 
 using modeling::GluePart;
 using modeling::GlueSettings;
@@ -168,20 +169,20 @@ TEST_CASE("A node dropped by one gluing is left alone by the next", "[glue]") {
   CHECK(result.reports[1].nodesTaken == 2);
 }
 
-TEST_CASE("Nodes share a partner only where there are too few", "[glue]") {
+TEST_CASE("Nodes share a partner only where there is no other nearly as near", "[glue]") {
   GluePart a = unshaped("a"), b = unshaped("b");
   a.nodes = {Vec3(0.0, 0, 0), Vec3(0.1, 0, 0), Vec3(0.2, 0, 0)};
-  b.nodes = {Vec3(0.12, 0, 0), Vec3(0.5, 0, 0)};
-  const auto partners = [&](double reach) {
+  const auto partners = [&](double reach, double other) {
+    b.nodes = {Vec3(0.12, 0, 0), Vec3(other, 0, 0)};
     const auto preview = previewGlue(a, b, gluing(0, 1, reach));
     REQUIRE(preview.ok());
     std::vector<NodeIndex> found;
     for (const auto& pair : preview->pairs) found.push_back(pair.b);
     return found;
   };
-  CHECK(partners(0.29) == std::vector<NodeIndex>{0, 0, 0});  // the second is out of reach of all but the last
-  CHECK(partners(0.31) == std::vector<NodeIndex>{0, 0, 1});
-  CHECK(partners(0.15) == std::vector<NodeIndex>{0, 0, 0});
+  CHECK(partners(0.15, 0.31) == std::vector<NodeIndex>{0, 0, 1});  // 0.11 instead of 0.08
+  CHECK(partners(0.15, 0.33) == std::vector<NodeIndex>{0, 0, 0});  // 0.13 is too far for that
+  CHECK(partners(0.10, 0.31) == std::vector<NodeIndex>{0, 0});     // out of reach, as is the first node
 }
 
 TEST_CASE("A cell whose corners fall together is dropped and counted", "[glue]") {
@@ -216,6 +217,31 @@ TEST_CASE("Whatever the reach and the mismatch, no cell is left twisted", "[glue
       continue;
     }
     CHECK(result->reports[0].worstScaledJacobian >= 0.1);
+  }
+}
+
+TEST_CASE("A part glued on minds the cells of what is glued to it", "[glue]") {
+  // The halves share their inner edge; then one is pulled to b, and with it the other's cells.
+  for (const double reach : {0.3, 0.5, 0.8, 1.2}) {
+    std::vector<GluePart> parts;
+    const auto add = [&](const char* name, const auto& shape) {
+      const auto lattice = build(shape);
+      REQUIRE(lattice.ok());
+      parts.push_back(unshaped(name));
+      parts.back().nodes = lattice->nodes;
+      parts.back().cells = lattice->cells;
+    };
+    add("body", tests::teapotBody(0.5));
+    add("upper handle", tests::teapotHandleHalf(true, 0.5));
+    add("lower handle", tests::teapotHandleHalf(false, 0.5));
+    add("left spout", tests::teapotSpoutHalf(true, 0.5));
+    add("right spout", tests::teapotSpoutHalf(false, 0.5));
+    const auto result = glued(parts, {gluing(1, 2, 0.01), gluing(3, 4, 0.01), gluing(1, 0, reach),
+                                      gluing(2, 0, reach), gluing(3, 0, reach), gluing(4, 0, reach)});
+    for (const auto& report : result.reports) {
+      CHECK(report.nodesMerged > 10);
+      CHECK(report.worstScaledJacobian >= 0.1);
+    }
   }
 }
 
