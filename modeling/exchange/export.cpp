@@ -16,12 +16,12 @@ const std::vector<ExportFormat>& exportFormats() {
 }
 
 sim::Result<ExportFormat> exportFormatNamed(const std::string& name) {
-  std::vector<std::string> names;
+  std::string known;
   for (const ExportFormat& format : exportFormats()) {
     if (format.name == name) return format;
-    names.push_back(format.name);
+    known.append(known.empty() ? "" : ", ").append(format.name);
   }
-  return sim::Problem{"--format", "there is no export format " + inQuotes(name), didYouMean(name, names)};
+  return sim::Problem{"--format", "there is no export format " + inQuotes(name), "use one of: " + known};
 }
 
 std::filesystem::path numberedPath(const std::filesystem::path& path, std::size_t number) {

@@ -220,7 +220,7 @@ TEST_CASE("a cancelled export leaves no half file") {
   CHECK(std::filesystem::is_empty(scratch.folder));
 }
 
-TEST_CASE("formats go by name, and an unknown name is told the nearest") {
+TEST_CASE("formats go by name, and an unknown name is told which there are") {
   CHECK(modeling::exportFormatNamed("xyz")->name == "xyz");
   const auto wrong = modeling::exportFormatNamed("objj");
   REQUIRE_FALSE(wrong.ok());
