@@ -15,8 +15,33 @@ struct Simulation::State {
 
 namespace {
 
-std::optional<Problem> checkSettings(const Network& network, const Settings& settings,
-                                     const std::vector<Track>& tracks) {
+std::optional<Problem> checkTrack(const Track& track, const std::string& place, std::size_t materials,
+                                  std::size_t colliders) {
+  const bool drivesCollider =
+      track.target == TrackTarget::colliderPosition || track.target == TrackTarget::colliderRotation;
+  const bool drivesMaterial =
+      track.target == TrackTarget::stiffnessScale || track.target == TrackTarget::dampingScale;
+  if (drivesCollider && track.object >= colliders)
+    return Problem{place, "the track drives a collider that is not there", "name one of the environment's"};
+  if (drivesMaterial && track.object != kNone && track.object >= materials)
+    return Problem{place, "the track drives a material that is not there", "name one of the scene's"};
+  if (track.keys.empty()) return Problem{place, "the track has no keys", "give it one, or leave it out"};
+  for (std::size_t k = 0; k < track.keys.size(); ++k) {
+    const Track::Key& key = track.keys[k];
+    if (!std::isfinite(key.time) || !key.value.allFinite())
+      return Problem{place, "key " + std::to_string(k) + " is not finite",
+                     "give its time and value as numbers"};
+    if (k > 0 && key.time <= track.keys[k - 1].time)
+      return Problem{place, "key " + std::to_string(k) + " is not later than the one before",
+                     "sort the keys"};
+    if (drivesMaterial && key.value.x() < 0.0)
+      return Problem{place, "key " + std::to_string(k) + " is a negative scale", "use 0 or more"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Problem> checkSettings(const Network& network, const Environment& environment,
+                                     const Settings& settings, const std::vector<Track>& tracks) {
   if (network.nodeCount() == 0) return Problem{"", "there is nothing to simulate", "add a part to the scene"};
   if (auto fault = network.validate()) return Problem{"", *fault, ""};
   if (network.materials.size() > 256)
@@ -27,8 +52,10 @@ std::optional<Problem> checkSettings(const Network& network, const Settings& set
   if (!(settings.safety > 0.0 && settings.safety <= 0.9)) {
     return Problem{"solver.safety", "the safety factor is not between 0 and 0.9", "0.5 is the default"};
   }
-  for (const Track& track : tracks) {
-    if (track.keys.empty()) return Problem{"tracks", "a track has no keys", "give it one, or leave it out"};
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    if (auto problem = checkTrack(tracks[t], "tracks[" + std::to_string(t) + "]", network.materials.size(),
+                                  environment.colliders.size()))
+      return problem;
   }
   return std::nullopt;
 }
@@ -40,7 +67,7 @@ Simulation::~Simulation() = default;
 
 Result<std::unique_ptr<Simulation>> Simulation::create(Network network, Environment environment,
                                                        std::vector<Track> tracks, const Settings& settings) {
-  if (auto problem = checkSettings(network, settings, tracks)) return *problem;
+  if (auto problem = checkSettings(network, environment, settings, tracks)) return *problem;
   auto state =
       std::make_unique<State>(std::move(network), std::move(environment), std::move(tracks), settings);
   if (!(state->stepper.step() > 0.0)) {

@@ -28,8 +28,9 @@ struct Work {
 /// Settings::threads threads, and its results do not depend on how many.
 class Simulation {
  public:
-  /// Takes the network over. A Problem when nothing stable can be done with it (a fixed step above the stable
-  /// one, no finite mass...).
+  /// Takes the network over. A Problem when nothing can be done with it: no nodes, a setting out of range, a
+  /// track that drives nothing, no stable step for the method. A fixed step is believed; if it is too long,
+  /// the run will say so.
   static Result<std::unique_ptr<Simulation>> create(Network network, Environment environment,
                                                     std::vector<Track> tracks, const Settings& settings);
   ~Simulation();
