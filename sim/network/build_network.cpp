@@ -52,6 +52,13 @@ std::optional<Problem> checkBonds(const Blueprint& blueprint) {
     if (!std::isfinite(bond.restLength) || bond.restLength <= 0.0) {
       return Problem{"", bondName(bond) + " has no positive rest length", "move its nodes apart"};
     }
+    if (!std::isfinite(bond.damping) || bond.damping < 0.0) {
+      return Problem{"", bondName(bond) + " has negative damping", "use 0 or more"};
+    }
+    if (bond.material >= blueprint.materials.size()) {
+      return Problem{"", bondName(bond) + " names a material that is not there",
+                     "there are " + std::to_string(blueprint.materials.size())};
+    }
   }
   return std::nullopt;
 }
