@@ -333,14 +333,16 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
              return entry.other < nodes && (entry.brokenBond == kNone || entry.brokenBond < bonds);
            });
   const std::size_t length = reference[0].size();
-  proper = proper && (length == 0 || length == nodes) && reference[1].size() == length &&
+  const bool needed = pairsMayMeet_ || hasColliders_;
+  proper = proper && (length == nodes || (length == 0 && !needed)) && reference[1].size() == length &&
            reference[2].size() == length;
   if (!proper) return false;
   reference_ = NodeVectors(length);
   for (std::size_t k = 0; k < 3; ++k) std::copy(reference[k].begin(), reference[k].end(), reference_.axis(k));
   rowOfNode_.assign(nodes, kNone);
   for (std::uint32_t r = 0; r < rows_.size(); ++r) rowOfNode_[rows_[r].node] = r;
-  return true;
+  return std::all_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return rowOfNode_[entry.other] != kNone; });
 }
 
 std::size_t Contacts::memoryBytes() const {

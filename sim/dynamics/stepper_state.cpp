@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include <xxhash.h>
 
 #include "sim/dynamics/stepper.h"
@@ -6,7 +10,7 @@ namespace sim {
 namespace {
 
 /// Changes with the layout of checkpoints, so that a run is never resumed from one it cannot read.
-constexpr std::uint32_t kCheckpointVersion = 1;
+constexpr std::uint32_t kCheckpointVersion = 2;
 
 const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
                        "resume from an earlier one, or run again"};
@@ -16,13 +20,60 @@ void saveVectors(ByteWriter& writer, const NodeVectors& vectors) {
     writer.putVector(std::vector<double>(vectors.axis(k), vectors.axis(k) + vectors.size()));
 }
 
+bool loadNumbers(ByteReader& reader, std::size_t count, std::vector<double>& numbers) {
+  return reader.readVector(numbers) && numbers.size() == count &&
+         std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
 bool loadVectors(ByteReader& reader, NodeVectors& vectors) {
   for (std::size_t k = 0; k < 3; ++k) {
     std::vector<double> axis;
-    if (!reader.readVector(axis) || axis.size() != vectors.size()) return false;
+    if (!loadNumbers(reader, vectors.size(), axis)) return false;
     std::copy(axis.begin(), axis.end(), vectors.axis(k));
   }
   return true;
+}
+
+bool loadFlags(ByteReader& reader, std::size_t count, std::vector<std::uint8_t>& flags) {
+  return reader.readVector(flags) && flags.size() == count;
+}
+
+void saveFragments(ByteWriter& writer, const Components& components) {
+  writer.putVector(components.fragmentOfNode());
+  writer.put<std::uint64_t>(components.births().size());
+  for (const FragmentBirth& birth : components.births()) {
+    writer.put(birth.parent);
+    writer.put(birth.born);
+    writer.put(birth.nodeCount);
+  }
+}
+
+bool loadFragments(ByteReader& reader, std::size_t nodeCount, std::vector<FragmentId>& fragmentOfNode,
+                   std::vector<FragmentBirth>& births) {
+  std::uint64_t count = 0;
+  reader.readVector(fragmentOfNode);
+  reader.read(count);
+  // Each fragment has a node at least.
+  if (fragmentOfNode.size() != nodeCount || count > nodeCount) return false;
+  births.resize(static_cast<std::size_t>(count));
+  for (FragmentBirth& birth : births) {
+    reader.read(birth.parent);
+    reader.read(birth.born);
+    reader.read(birth.nodeCount);
+  }
+  return reader.ok() && std::all_of(fragmentOfNode.begin(), fragmentOfNode.end(),
+                                    [&](FragmentId id) { return id < births.size(); });
+}
+
+/// The last bytes are the hash of all before them.
+constexpr std::size_t kSealBytes = sizeof(XXH64_hash_t);
+
+bool isSealed(std::span<const std::byte> checkpoint) {
+  if (checkpoint.size() < kSealBytes) return false;
+  const std::size_t size = checkpoint.size() - kSealBytes;
+  XXH64_hash_t seal = 0;
+  ByteReader(checkpoint.subspan(size)).read(seal);
+  return seal == XXH3_64bits(checkpoint.data(), size);
 }
 
 }  // namespace
@@ -49,59 +100,60 @@ std::vector<std::byte> Stepper::checkpoint() const {
   saveVectors(writer, now_.velocity);
   writer.putVector(breakage_.brokenBonds());
   writer.putVector(breakage_.brokenCells());
-  writer.putVector(components_.fragmentOfNode());
-  writer.put<std::uint64_t>(components_.births().size());
-  for (const FragmentBirth& birth : components_.births()) {
-    writer.put(birth.parent);
-    writer.put(birth.born);
-    writer.put(birth.nodeCount);
-  }
+  saveFragments(writer, components_);
   writer.putVector(layout_.plasticRestLengths());
   contacts_.save(writer);
   ledger_.save(writer);
   writer.put(work_);
   for (const double value : {segmentStart_, step_, lastStep_, controlsTime_}) writer.put(value);
   writer.put(segmentSteps_);
+  writer.put(XXH3_64bits(writer.bytes().data(), writer.size()));
   return std::move(writer).take();
 }
 
 Status Stepper::restore(std::span<const std::byte> checkpoint) {
-  ByteReader reader(checkpoint);
+  if (!isSealed(checkpoint)) return kDamaged;
+  ByteReader reader(checkpoint.first(checkpoint.size() - kSealBytes));
   std::uint32_t version = 0;
   if (!reader.read(version) || version != kCheckpointVersion) return kDamaged;
-  if (!loadVectors(reader, now_.position) || !loadVectors(reader, now_.velocity)) return kDamaged;
+
+  // Everything is read aside, so that what cannot be resumed leaves this run as it was.
+  Motion now = now_;
+  if (!loadVectors(reader, now.position) || !loadVectors(reader, now.velocity)) return kDamaged;
   std::vector<std::uint8_t> brokenBonds;
   std::vector<std::uint8_t> brokenCells;
-  std::vector<FragmentId> fragmentOfNode;
-  reader.readVector(brokenBonds);
-  reader.readVector(brokenCells);
-  reader.readVector(fragmentOfNode);
-  if (brokenBonds.size() != network_.bondCount() || brokenCells.size() != network_.cellCount() ||
-      fragmentOfNode.size() != network_.nodeCount()) {
+  if (!loadFlags(reader, network_.bondCount(), brokenBonds) ||
+      !loadFlags(reader, network_.cellCount(), brokenCells)) {
     return kDamaged;
   }
-  std::uint64_t births = 0;
-  reader.read(births);
+  std::vector<FragmentId> fragmentOfNode;
   std::vector<FragmentBirth> fragments;
-  for (std::uint64_t f = 0; f < births && reader.ok(); ++f) {
-    FragmentBirth birth;
-    reader.read(birth.parent);
-    reader.read(birth.born);
-    reader.read(birth.nodeCount);
-    fragments.push_back(birth);
-  }
-  for (const FragmentId id : fragmentOfNode) {
-    if (id >= fragments.size()) return kDamaged;
-  }
+  if (!loadFragments(reader, network_.nodeCount(), fragmentOfNode, fragments)) return kDamaged;
   std::vector<double> restLengths;
-  reader.readVector(restLengths);
-  if (restLengths.size() != layout_.plasticRestLengths().size()) return kDamaged;
-  if (!contacts_.load(reader, controls_.colliders().size()) || !ledger_.load(reader)) return kDamaged;
-  reader.read(work_);
-  for (double* value : {&segmentStart_, &step_, &lastStep_, &controlsTime_}) reader.read(*value);
-  reader.read(segmentSteps_);
-  if (!reader.finished()) return kDamaged;
+  if (!loadNumbers(reader, layout_.plasticRestLengths().size(), restLengths)) return kDamaged;
+  Contacts contacts = contacts_;
+  Ledger ledger = ledger_;
+  if (!contacts.load(reader, controls_.colliders().size()) || !ledger.load(reader)) return kDamaged;
+  Work work;
+  reader.read(work);
+  std::array<double, 4> times{};
+  for (double& value : times) reader.read(value);
+  std::uint64_t segmentSteps = 0;
+  reader.read(segmentSteps);
+  const bool finite =
+      std::all_of(times.begin(), times.end(), [](double value) { return std::isfinite(value); });
+  if (!reader.finished() || !finite || times[1] <= 0.0) return kDamaged;
 
+  now_ = std::move(now);
+  next_ = now_;
+  contacts_ = std::move(contacts);
+  ledger_ = ledger;
+  work_ = work;
+  segmentStart_ = times[0];
+  step_ = times[1];
+  lastStep_ = times[2];
+  controlsTime_ = times[3];
+  segmentSteps_ = segmentSteps;
   // Bonds leave the layout in any order: what remains keeps its own.
   layout_ = BondLayout(network_);
   for (BondIndex bond = 0; bond < network_.bondCount(); ++bond) {
@@ -112,7 +164,6 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   components_.restore(std::move(fragmentOfNode), std::move(fragments), work_.labelings);
   controls_.moveTo(controlsTime_);
   controls_.setFlow(network_, step_);
-  next_ = now_;
   events_.clear();
   return Done{};
 }
