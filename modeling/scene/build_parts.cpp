@@ -1,0 +1,197 @@
+#include "modeling/scene/build_parts.h"
+
+#include <algorithm>
+#include <map>
+
+#include "modeling/exchange/lammps_data.h"
+#include "modeling/scene/spelling.h"
+#include "modeling/shapes/quality.h"
+#include "modeling/shapes/resolution.h"
+
+namespace modeling {
+namespace {
+
+using sim::Problem;
+
+std::string placeOf(std::size_t part) {
+  return "parts[" + std::to_string(part) + "]";
+}
+
+/// Shapes name the key within themselves; the scene's reader needs the way to the part, too.
+Problem within(std::size_t part, const Problem& problem) {
+  const std::string key = problem.place.empty() ? "" : "." + problem.place;
+  return {placeOf(part) + key, problem.what, problem.remedy};
+}
+
+std::vector<std::uint8_t> heldNodes(const std::vector<Box>& regions, const std::vector<Vec3>& nodes) {
+  std::vector<std::uint8_t> held(regions.empty() ? 0 : nodes.size(), 0);
+  for (const Box& box : regions) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const bool inside =
+          (box.min.array() <= nodes[i].array()).all() && (nodes[i].array() <= box.max.array()).all();
+      if (inside) held[i] = 1;
+    }
+  }
+  return held;
+}
+
+/// Mass of each node as a share of an unknown density (cells) or in g (raw network): enough to find the
+/// centre.
+std::vector<double> nodeShares(const AssemblyPart& part) {
+  std::vector<double> shares = part.looseMasses;
+  shares.resize(part.lattice.nodes.size(), 0.0);
+  for (const sim::CellCorners& cell : part.lattice.cells) {
+    const double share = cellVolume(cornerPositions(part.lattice.nodes, cell)) / 8.0;
+    for (const sim::NodeIndex corner : cell) shares[corner] += share;
+  }
+  return shares;
+}
+
+/// Adds the velocity of turning about the centre of mass, so that spinning gives the part no push.
+void spin(const Vec3& angularVelocity, AssemblyPart& part) {
+  if (angularVelocity == Vec3::Zero()) return;
+  const std::vector<double> shares = nodeShares(part);
+  Vec3 centre = Vec3::Zero();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    centre += shares[i] * part.lattice.nodes[i];
+    sum += shares[i];
+  }
+  centre /= sum;
+  part.looseVelocities.resize(shares.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    part.looseVelocities[i] += angularVelocity.cross(part.lattice.nodes[i] - centre);
+  }
+}
+
+class PartBuilder {
+ public:
+  PartBuilder(const Scene& scene, const std::filesystem::path& folder) : scene_(scene), folder_(folder) {
+    for (const SceneMaterial& material : scene.materials) built_.materials.push_back(material.values);
+  }
+
+  sim::Result<BuiltParts> run() {
+    std::size_t nodes = 0;
+    for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+      const sim::Status status = add(i);
+      if (!status) return status.problem();
+      nodes += built_.parts.back().lattice.nodes.size();
+      if (nodes > kMaxLatticeNodes) {
+        return Problem{
+            placeOf(i), "with this part there are " + std::to_string(nodes) + " nodes",
+            "use larger cells; at most " + std::to_string(kMaxLatticeNodes) + " nodes are allowed"};
+      }
+    }
+    return std::move(built_);
+  }
+
+ private:
+  sim::Status add(std::size_t index) {
+    const Part& part = scene_.parts[index];
+    AssemblyPart made;
+    made.name = part.name;
+    made.velocity = part.velocity;
+    const sim::Status status =
+        std::visit([&](const auto& shape) { return shapeInto(shape, index, made); }, part.shape);
+    if (!status) return status;
+    if (!part.hold.empty() &&
+        std::find(made.held.begin(), made.held.end(), std::uint8_t{1}) == made.held.end()) {
+      return Problem{placeOf(index) + ".hold", "these regions hold no node of " + inQuotes(part.name),
+                     "state them in the part's own coordinates"};
+    }
+    spin(part.angularVelocity, made);
+    built_.parts.push_back(std::move(made));
+    return sim::Done{};
+  }
+
+  template <class Shape>
+  sim::Status shapeInto(const Shape& shape, std::size_t index, AssemblyPart& made) {
+    sim::Result<Lattice> lattice = build(shape);
+    if (!lattice) return within(index, lattice.problem());
+    made.lattice = std::move(lattice).value();
+    made.material = materialIndex(scene_.parts[index].material);
+    place(index, made);
+    return sim::Done{};
+  }
+
+  sim::Status shapeInto(const NetworkShape& shape, std::size_t index, AssemblyPart& made) {
+    const std::filesystem::path file = folder_ / shape.file;
+    sim::Result<LammpsData> data = loadLammpsData(file);
+    if (!data) return data.problem();
+    made.lattice.nodes = std::move(data->positions);
+    made.looseMasses = std::move(data->masses);
+    if (!data->velocities.empty()) made.looseVelocities = std::move(data->velocities);
+    place(index, made);
+    return addBonds(shape, index, file.string(), data->bonds, made);
+  }
+
+  sim::Status addBonds(const NetworkShape& shape, std::size_t index, const std::string& file,
+                       const std::vector<LammpsBond>& bonds, AssemblyPart& made) {
+    std::map<int, std::pair<const BondType*, std::size_t>> types;
+    made.material = baseMaterial(index);
+    std::vector<std::string> known;
+    for (const NamedBondType& type : shape.bondTypes) {
+      known.push_back(type.type);
+      types[std::stoi(type.type)] = {&type.constants, bondMaterial(made.material, type.constants)};
+    }
+    for (const LammpsBond& bond : bonds) {
+      const auto found = types.find(bond.type);
+      if (found == types.end()) {
+        const std::string type = std::to_string(bond.type);
+        return Problem{file + ':' + std::to_string(bond.line) + ":1",
+                       "the scene's bondTypes do not have the type " + type + " of this bond",
+                       "add \"" + type + "\" to bondTypes of the part " + inQuotes(made.name)};
+      }
+      const auto& [constants, material] = found->second;
+      const double length = (made.lattice.nodes[bond.a] - made.lattice.nodes[bond.b]).norm();
+      made.looseBonds.push_back({bond.a, bond.b, constants->stiffness, constants->restLength.value_or(length),
+                                 constants->damping, static_cast<sim::MaterialIndex>(material)});
+    }
+    return sim::Done{};
+  }
+
+  void place(std::size_t index, AssemblyPart& made) {
+    const Part& part = scene_.parts[index];
+    made.held = heldNodes(part.hold, made.lattice.nodes);
+    const Eigen::Affine3d worldFromPart = part.worldFromPart.worldFromPart();
+    for (Vec3& node : made.lattice.nodes) node = worldFromPart * node;
+    for (Vec3& velocity : made.looseVelocities) velocity = worldFromPart.linear() * velocity;
+  }
+
+  std::size_t materialIndex(const std::string& name) const {
+    const auto found = std::find_if(scene_.materials.begin(), scene_.materials.end(),
+                                    [&](const SceneMaterial& material) { return material.name == name; });
+    return static_cast<std::size_t>(found - scene_.materials.begin());
+  }
+
+  /// A network without a material gets an unbreakable one of the part's name.
+  std::size_t baseMaterial(std::size_t index) {
+    const Part& part = scene_.parts[index];
+    if (!part.material.empty()) return materialIndex(part.material);
+    Material& material = built_.materials.emplace_back();
+    material.name = part.name;
+    return built_.materials.size() - 1;
+  }
+
+  /// The base material with the bond type's way to break.
+  std::size_t bondMaterial(std::size_t base, const BondType& constants) {
+    Material material = built_.materials[base];
+    material.threshold.mean = constants.threshold;
+    material.strength.reset();
+    material.fractureToughness.reset();
+    built_.materials.push_back(std::move(material));
+    return built_.materials.size() - 1;
+  }
+
+  const Scene& scene_;
+  const std::filesystem::path& folder_;
+  BuiltParts built_;
+};
+
+}  // namespace
+
+sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder) {
+  return PartBuilder(scene, folder).run();
+}
+
+}  // namespace modeling

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "modeling/assembly/assembly.h"
+#include "modeling/material/material.h"
+#include "modeling/scene/scene.h"
+#include "sim/base/result.h"
+
+namespace modeling {
+
+/// The scene's parts in the world, and the materials they refer to: the scene's own in their order, then
+/// those that raw networks need for their bond types.
+struct BuiltParts {
+  std::vector<AssemblyPart> parts;
+  std::vector<Material> materials;
+};
+
+sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder);
+
+}  // namespace modeling
