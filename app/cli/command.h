@@ -16,6 +16,9 @@ enum class ExitStatus {
   wrongInput = 2,  ///< a file, a value or an option is wrong; one line says where and how to mend it
 };
 
+/// More threads than this are a slip of the finger.
+inline constexpr int kMostThreads = 1024;
+
 /// Prints the problem's line to standard error and returns the status, so that a command can `return` it.
 ExitStatus complain(const sim::Problem& problem, ExitStatus status = ExitStatus::wrongInput);
 

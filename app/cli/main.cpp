@@ -7,6 +7,8 @@
 #include "app/cli/command.h"
 #include "app/cli/export_command.h"
 #include "app/cli/render_command.h"
+#include "app/cli/resume_command.h"
+#include "app/cli/simulate_command.h"
 
 namespace {
 
@@ -14,7 +16,8 @@ using app::AddCommand;
 using app::ExitStatus;
 
 /// Every command of the program, in the order in which help lists them.
-constexpr std::initializer_list<AddCommand> kCommands = {app::addRenderCommand, app::addExportCommand};
+constexpr std::initializer_list<AddCommand> kCommands = {app::addSimulateCommand, app::addResumeCommand,
+                                                         app::addRenderCommand, app::addExportCommand};
 
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Dishware that bends, hiccups, sneezes and breaks.", "smithereens-cli");

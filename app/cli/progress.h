@@ -4,8 +4,8 @@
 
 namespace app {
 
-/// A line on standard error that says how much of a thing is done, rewritten in place. Silent where standard
-/// error is no terminal.
+/// A line on standard error that says how much of a thing is done and how long the rest may take, rewritten in
+/// place. Silent where standard error is no terminal.
 class Progress {
  public:
   explicit Progress(std::string what);
@@ -14,13 +14,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// share in [0, 1]; prints at whole percents only.
-  void show(double share);
+  /// share in [0, 1]. Shown at most ten times a second.
+  void show(double share, const std::string& detail = "");
 
  private:
   std::string what_;
   bool terminal_;
-  int percent_ = -1;
+  double start_;
+  double lastShown_ = 0.0;
 };
 
 }  // namespace app

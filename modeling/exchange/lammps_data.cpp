@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "modeling/exchange/line_tokens.h"
-#include "modeling/scene/json_document.h"
 #include "modeling/scene/spelling.h"
+#include "modeling/scene/text_file.h"
 #include "modeling/shapes/resolution.h"
 
 namespace modeling {

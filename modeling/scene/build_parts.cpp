@@ -155,7 +155,8 @@ class PartBuilder {
     made.held = heldNodes(part.hold, made.lattice.nodes);
     const Eigen::Affine3d worldFromPart = part.worldFromPart.worldFromPart();
     for (Vec3& node : made.lattice.nodes) node = worldFromPart * node;
-    for (Vec3& velocity : made.looseVelocities) velocity = worldFromPart.linear() * velocity;
+    const Eigen::Quaterniond turn = part.worldFromPart.rotation.quaternion();
+    for (Vec3& velocity : made.looseVelocities) velocity = turn * velocity;
   }
 
   std::size_t materialIndex(const std::string& name) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -238,26 +237,6 @@ sim::Result<JsonDocument> parseJson(std::string_view text, const std::string& so
   if (builder.problem()) return *builder.problem();
   if (!whole) return Problem{source + ":1:1", "this is not valid JSON", "correct the JSON"};
   return document;
-}
-
-sim::Result<std::string> readTextFile(const std::filesystem::path& file, std::uintmax_t largest) {
-  const std::string place = file.string() + ":1:1";
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) return Problem{place, "there is no such file", "check the path"};
-  if (!std::filesystem::is_regular_file(status)) return Problem{place, "this is not a file", "name a file"};
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return Problem{place, "its size cannot be read: " + error.message(), "check its permissions"};
-  if (size > largest) {
-    return Problem{place, "the file is larger than " + std::to_string(largest >> 20U) + " MB",
-                   "make it smaller"};
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(size, '\0');
-  if (!stream.read(text.data(), static_cast<std::streamsize>(size))) {
-    return Problem{place, "the file cannot be read", "check its permissions"};
-  }
-  return text;
 }
 
 }  // namespace modeling

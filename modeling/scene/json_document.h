@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -68,9 +67,5 @@ inline constexpr std::size_t kDeepest = 64;
 /// Reads JSON strictly: no comments, no key twice, valid UTF-8, within the bounds above. `source` names the
 /// text in problems.
 sim::Result<JsonDocument> parseJson(std::string_view text, const std::string& source);
-
-/// The bytes of a file, when it is a regular one and not above `largest`.
-sim::Result<std::string> readTextFile(const std::filesystem::path& file,
-                                      std::uintmax_t largest = kLargestText);
 
 }  // namespace modeling

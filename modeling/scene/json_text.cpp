@@ -18,7 +18,10 @@ std::string key(const std::string& name) {
 }
 
 std::string oneLine(const Json& value) {
-  if (value.is_number_float()) return shortestNumber(value.get<double>());
+  if (value.is_number_float()) {
+    const double number = value.get<double>();
+    return std::isfinite(number) ? shortestNumber(number) : "null";  // JSON has no other word for it
+  }
   if (!value.is_structured()) return value.dump();
   std::string text(1, value.is_object() ? '{' : '[');
   bool first = true;

@@ -5,6 +5,7 @@
 
 #include "modeling/scene/scene_codec.h"
 #include "modeling/scene/spelling.h"
+#include "modeling/scene/text_file.h"
 
 namespace modeling {
 namespace {
@@ -53,7 +54,7 @@ sim::Result<Material> presetMaterial(const std::string& name) {
     return sim::Problem{"", "there is no material preset " + inQuotes(name), didYouMean(name, names)};
   }
   const fs::path file = resourcesFolder() / "materials" / (name + ".json");
-  const sim::Result<std::string> text = readTextFile(file);
+  const sim::Result<std::string> text = readTextFile(file, kLargestText);
   if (!text) return text.problem();
   const sim::Result<JsonDocument> document = parseJson(*text, file.string());
   if (!document) return document.problem();

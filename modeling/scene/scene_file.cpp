@@ -1,11 +1,9 @@
 #include "modeling/scene/scene_file.h"
 
-#include <fstream>
-#include <system_error>
-
 #include "modeling/scene/json_path.h"
 #include "modeling/scene/json_text.h"
 #include "modeling/scene/scene_codec.h"
+#include "modeling/scene/text_file.h"
 
 namespace modeling {
 namespace {
@@ -61,7 +59,7 @@ sim::Result<SceneFile> parseScene(std::string_view text, const std::string& sour
 
 sim::Result<SceneFile> loadScene(const std::filesystem::path& file,
                                  const std::vector<std::string>& settings) {
-  const sim::Result<std::string> text = readTextFile(file);
+  const sim::Result<std::string> text = readTextFile(file, kLargestText);
   if (!text) return text.problem();
   return parseScene(*text, file.string(), settings);
 }
@@ -74,18 +72,7 @@ std::string writeScene(const Scene& scene) {
 }
 
 sim::Status saveScene(const Scene& scene, const std::filesystem::path& file) {
-  std::filesystem::path draft = file;
-  draft += ".new";
-  std::ofstream stream(draft, std::ios::binary);
-  stream << writeScene(scene);
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(draft, file, error);
-  if (stream && !error) return sim::Done{};
-  std::error_code ignored;
-  std::filesystem::remove(draft, ignored);
-  return sim::Problem{file.string(), "the scene cannot be saved here",
-                      "check the folder, its permissions and free space"};
+  return replaceTextFile(file, writeScene(scene));
 }
 
 Scene withoutPresets(Scene scene) {

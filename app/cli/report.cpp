@@ -1,0 +1,113 @@
+#include "app/cli/report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <thread>
+
+#include "modeling/scene/json_text.h"
+#include "modeling/scene/text_file.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLargestListed = 20;
+
+Json vectorJson(const sim::Vec3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+std::string hexadecimal(std::uint64_t hash) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+/// Every component of the start lives on as the fragment that kept its id.
+void addFragments(const std::vector<sim::Fragment>& fragments, Json& report) {
+  const auto fromStart = [](const sim::Fragment& fragment) { return fragment.parent == sim::kNone; };
+  std::vector<std::uint32_t> sizes;
+  for (const sim::Fragment& fragment : fragments) sizes.push_back(fragment.nodeCount);
+  std::sort(sizes.rbegin(), sizes.rend());
+  report["components"] = std::count_if(fragments.begin(), fragments.end(), fromStart);
+  report["fragments"] = sizes.size();
+  report["isolated_nodes"] = std::count(sizes.begin(), sizes.end(), 1U);
+  sizes.resize(std::min(sizes.size(), kLargestListed));
+  report["largest_fragments"] = sizes;
+}
+
+Json energyJson(const sim::Energy& energy, double maxRise) {
+  return {
+      {"kinetic", energy.kinetic},          {"elastic", energy.elastic},       {"gravity", energy.gravity},
+      {"contact", energy.contact},          {"dissipated", energy.dissipated}, {"released", energy.released},
+      {"outside_work", energy.outsideWork}, {"total", energy.mechanical()},    {"max_rise", maxRise},
+      {"residual", energy.residual}};
+}
+
+Json workJson(const sim::Work& work) {
+  return {{"bonds_evaluated", work.bondsEvaluated},
+          {"bonds_skipped", work.bondsSkipped},
+          {"contact_pairs", work.contactPairs},
+          {"neighbour_lists", work.neighbourLists},
+          {"labelings", work.labelings},
+          {"steps_rigid", work.stepsRigid}};
+}
+
+int threadsUsed(int asked) {
+  return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+Json reportOf(const ReportInput& input) {
+  const sim::Simulation& simulation = input.simulation;
+  const sim::Network& network = simulation.network();
+  const sim::Snapshot end = simulation.snapshot();
+  Json report;
+  report["nodes"] = network.nodeCount();
+  report["bonds"] = network.bondCount();
+  report["cells"] = network.cellCount();
+  addFragments(end.fragments, report);
+  report["broken_bonds"] = simulation.brokenBondCount();
+  report["broken_cells"] =
+      std::count_if(end.brokenCells.begin(), end.brokenCells.end(), [](auto b) { return b != 0; });
+  report["steps"] = simulation.stepCount();
+  report["step_s"] = simulation.step();
+  report["simulated_s"] = simulation.time();
+  report["wall_s"] = input.stopwatch.wallSeconds();
+  report["cpu_s"] = input.stopwatch.cpuSeconds();
+  report["threads"] = threadsUsed(input.threads);
+  report["method"] = sim::nameOf(input.method);
+  report["state_hash"] = hexadecimal(simulation.stateHash());
+  report["energy"] = energyJson(end.ledger.energy, simulation.maxRise());
+  report["momentum"] = {{"linear", vectorJson(end.ledger.linearMomentum)},
+                        {"angular", vectorJson(end.ledger.angularMomentum)}};
+  report["work"] = workJson(simulation.work());
+  const std::optional<double> firstBreak = input.recorder.firstBreak();
+  report["events"] = {{"first_break_s", firstBreak ? Json(*firstBreak) : Json(nullptr)},
+                      {"breaks", input.recorder.breaks()}};
+  report["outcome"] = input.outcome;
+  return report;
+}
+
+sim::Status writeReport(const Json& report, const std::filesystem::path& file) {
+  return modeling::replaceTextFile(file, modeling::jsonText(report));
+}
+
+void printSummary(const Json& report) {
+  const auto line = [&](const char* label, const char* key, const char* unit) {
+    std::string value = modeling::jsonText(report[key]);
+    value.pop_back();
+    std::cout << label << ' ' << value << unit << '\n';
+  };
+  line("simulated    ", "simulated_s", " s");
+  line("steps        ", "steps", "");
+  line("fragments    ", "fragments", "");
+  line("broken bonds ", "broken_bonds", "");
+  line("wall clock   ", "wall_s", " s");
+  line("state hash   ", "state_hash", "");
+}
+
+}  // namespace app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/recorder.h"
+#include "modeling/scene/scene.h"
+#include "sim/dynamics/simulation.h"
+
+namespace app {
+
+/// Where a run's results go, beside its take.
+struct ReportInput {
+  const sim::Simulation& simulation;
+  const Recorder& recorder;
+  const Stopwatch& stopwatch;
+  sim::Method method = sim::Method::velocityVerlet;
+  int threads = 0;      ///< as asked for; 0: all there are
+  std::string outcome;  ///< "done", or the line of the Problem that ended the run
+};
+
+/// What a run came to (docs/formats.md, "Report"). cgs.
+nlohmann::ordered_json reportOf(const ReportInput& input);
+
+/// Replaces the file in one step.
+sim::Status writeReport(const nlohmann::ordered_json& report, const std::filesystem::path& file);
+
+/// The few numbers a person looks for, on standard output.
+void printSummary(const nlohmann::ordered_json& report);
+
+}  // namespace app

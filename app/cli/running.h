@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/recorder.h"
+#include "sim/dynamics/settings.h"
+
+/// What simulate and resume have in common.
+namespace app {
+
+struct RunningOptions {
+  double until = 0.0;  ///< s
+  sim::Method method = sim::Method::velocityVerlet;
+  int threads = 0;
+  std::string reportFile;  ///< "": none
+};
+
+/// Runs to the end with progress, writes the report, prints the summary. The answer is failed when the
+/// simulation blew up or the disk filled; take and report then hold everything up to there.
+ExitStatus runAndReport(sim::Simulation& simulation, Recorder& recorder, const Stopwatch& stopwatch,
+                        const RunningOptions& options);
+
+}  // namespace app

@@ -1,0 +1,61 @@
+#include "app/cli/scene_options.h"
+
+#include <array>
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+namespace {
+
+struct Shorthand {
+  const char* option;
+  const char* path;
+  std::string SceneOptions::*value;
+};
+
+constexpr std::array<Shorthand, 5> kShorthands{{{"--until", "output.duration", &SceneOptions::until},
+                                                {"--fps", "output.fps", &SceneOptions::fps},
+                                                {"--seed", "solver.seed", &SceneOptions::seed},
+                                                {"--method", "solver.method", &SceneOptions::method},
+                                                {"--step", "solver.step", &SceneOptions::step}}};
+
+std::string methods() {
+  std::string text;
+  for (const std::string& name : sim::methodNames()) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+void SceneOptions::addTo(CLI::App& command) {
+  command.add_option("scene", scene, "NAME.scene.json")->required();
+  command.add_option("--until", until, "Seconds to simulate, in place of output.duration");
+  command.add_option("--fps", fps, "Frames a second, in place of output.fps");
+  command.add_option("--seed", seed, "Of the random thresholds");
+  command.add_option("--method", method, "One of " + methods());
+  command.add_option("--step", step, "Seconds, or auto");
+  command
+      .add_option("--set", settings,
+                  "PATH=VALUE: change a value of the scene, e.g. environment.gravity=[0,0,-4905]")
+      ->allow_extra_args(false);
+}
+
+sim::Result<modeling::SceneFile> SceneOptions::load() const {
+  std::vector<std::string> all = settings;
+  for (const Shorthand& shorthand : kShorthands) {
+    const std::string& value = this->*shorthand.value;
+    if (!value.empty()) all.push_back(std::string(shorthand.path) + "=" + value);
+  }
+  sim::Result<modeling::SceneFile> file = modeling::loadScene(scene, all);
+  if (file) return file;
+  sim::Problem problem = file.problem();
+  for (const Shorthand& shorthand : kShorthands) {
+    const std::string source = std::string("--set ") + shorthand.path;
+    if (!(this->*shorthand.value).empty() && problem.place.starts_with(source)) {
+      problem.place.replace(0, source.size(), shorthand.option);
+    }
+  }
+  return problem;
+}
+
+}  // namespace app

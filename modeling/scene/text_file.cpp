@@ -1,0 +1,57 @@
+#include "modeling/scene/text_file.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+#include <xxhash.h>
+
+namespace modeling {
+
+using sim::Problem;
+
+sim::Result<std::string> readTextFile(const std::filesystem::path& file, std::uintmax_t largest) {
+  const std::string place = file.string() + ":1:1";
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return Problem{place, "there is no such file", "check the path"};
+  if (!std::filesystem::is_regular_file(status)) return Problem{place, "this is not a file", "name a file"};
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return Problem{place, "its size cannot be read: " + error.message(), "check its permissions"};
+  if (size > largest) {
+    return Problem{place, "the file is larger than " + std::to_string(largest >> 20U) + " MB",
+                   "make it smaller"};
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(size, '\0');
+  if (!stream.read(text.data(), static_cast<std::streamsize>(size))) {
+    return Problem{place, "the file cannot be read", "check its permissions"};
+  }
+  return text;
+}
+
+sim::Status replaceTextFile(const std::filesystem::path& file, std::string_view text) {
+  std::filesystem::path draft = file;
+  draft += ".new";
+  std::ofstream stream(draft, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code error;
+  if (stream) std::filesystem::rename(draft, file, error);
+  if (stream && !error) return sim::Done{};
+  std::error_code ignored;
+  std::filesystem::remove(draft, ignored);
+  return Problem{file.string(), "this file cannot be written",
+                 "check the folder, its permissions and free space"};
+}
+
+std::string textHash(std::string_view text) {
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  std::array<char, 33> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                static_cast<unsigned long long>(hash.low64));
+  return digits.data();
+}
+
+}  // namespace modeling
