@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/export_command.h"
+#include "app/cli/info_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/resume_command.h"
 #include "app/cli/simulate_command.h"
@@ -17,7 +18,8 @@ using app::ExitStatus;
 
 /// Every command of the program, in the order in which help lists them.
 constexpr std::initializer_list<AddCommand> kCommands = {app::addSimulateCommand, app::addResumeCommand,
-                                                         app::addRenderCommand, app::addExportCommand};
+                                                         app::addInfoCommand, app::addRenderCommand,
+                                                         app::addExportCommand};
 
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Dishware that bends, hiccups, sneezes and breaks.", "smithereens-cli");

@@ -4,8 +4,8 @@
 
 namespace app {
 
-/// A line on standard error that says how much of a thing is done and how long the rest may take, rewritten in
-/// place. Silent where standard error is no terminal.
+/// A line on standard error that says how much of a thing is done and how long the rest may take, rewritten
+/// in place. Silent where standard error is no terminal.
 class Progress {
  public:
   explicit Progress(std::string what);

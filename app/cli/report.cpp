@@ -97,17 +97,13 @@ sim::Status writeReport(const Json& report, const std::filesystem::path& file) {
 }
 
 void printSummary(const Json& report) {
-  const auto line = [&](const char* label, const char* key, const char* unit) {
-    std::string value = modeling::jsonText(report[key]);
-    value.pop_back();
-    std::cout << label << ' ' << value << unit << '\n';
-  };
-  line("simulated    ", "simulated_s", " s");
-  line("steps        ", "steps", "");
-  line("fragments    ", "fragments", "");
-  line("broken bonds ", "broken_bonds", "");
-  line("wall clock   ", "wall_s", " s");
-  line("state hash   ", "state_hash", "");
+  std::cout << "simulated     " << report["simulated_s"].get<double>() << " s in " << report["steps"]
+            << " steps\n"
+            << "fragments     " << report["fragments"] << ", " << report["isolated_nodes"]
+            << " of them single nodes\n"
+            << "broken bonds  " << report["broken_bonds"] << '\n'
+            << "wall clock    " << report["wall_s"].get<double>() << " s\n"
+            << "state hash    " << report["state_hash"].get<std::string>() << '\n';
 }
 
 }  // namespace app

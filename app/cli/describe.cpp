@@ -1,0 +1,205 @@
+#include "app/cli/describe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include <Eigen/Geometry>
+
+#include "app/cli/recorder.h"
+#include "modeling/exchange/lammps_data.h"
+#include "modeling/scene/build.h"
+#include "modeling/scene/scene_file.h"
+#include "sim/dynamics/simulation.h"
+#include "sim/take/take.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using modeling::BuiltScene;
+
+/// Enough to measure a step by, and short enough not to be waited for.
+constexpr double kMeasuredSeconds = 0.3;
+constexpr int kMostMeasuredSteps = 2000;
+
+Json vectorJson(const sim::Vec3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+void addCounts(const sim::Network& network, Json& info) {
+  info["nodes"] = network.nodeCount();
+  info["bonds"] = network.bondCount();
+  info["cells"] = network.cellCount();
+}
+
+void addExtent(const std::vector<sim::Vec3>& positions, const std::vector<double>& masses, Json& info) {
+  Eigen::AlignedBox3d box;
+  for (const sim::Vec3& position : positions) box.extend(position);
+  double mass = 0.0;
+  for (const double share : masses) mass += std::isfinite(share) ? share : 0.0;
+  info["box_min_cm"] = vectorJson(box.min());
+  info["box_max_cm"] = vectorJson(box.max());
+  info["mass_g"] = mass;
+}
+
+Json partsJson(const std::vector<modeling::PartReport>& parts) {
+  Json list = Json::array();
+  for (const modeling::PartReport& part : parts) {
+    Json& entry = list.emplace_back(Json{{"name", part.name}, {"nodes", part.nodes}});
+    const modeling::LatticeQuality& quality = part.quality;
+    if (quality.volume == 0.0) continue;
+    entry["volume_cm3"] = quality.volume;
+    entry["mean_edge_cm"] = quality.meanEdge;
+    entry["min_edge_cm"] = quality.minEdge;
+    entry["worst_scaled_jacobian"] = quality.minScaledJacobian;
+    entry["most_skewed_cell"] = quality.mostSkewedCell;
+    entry["worst_aspect"] = quality.maxAspect;
+    entry["longest_cell"] = quality.longestCell;
+  }
+  return list;
+}
+
+Json glueJson(const std::vector<modeling::GlueReport>& reports) {
+  Json list = Json::array();
+  for (const modeling::GlueReport& glue : reports) {
+    list.push_back({{"a", glue.a},
+                    {"b", glue.b},
+                    {"nodes_merged", glue.nodesMerged},
+                    {"bonds_zeroed", glue.bondsZeroed},
+                    {"bonds_duplicate", glue.bondsDuplicate},
+                    {"cells_dropped", glue.cellsDropped},
+                    {"worst_distance_cm", glue.worstDistance},
+                    {"worst_scaled_jacobian", glue.worstScaledJacobian}});
+  }
+  return list;
+}
+
+/// Bonds stretched past their threshold before anything has moved.
+std::size_t bondsBrokenAtRest(const sim::Network& network) {
+  std::size_t count = 0;
+  for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
+    for (sim::BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
+      const double length = (network.positions[network.bondEnds[b]] - network.positions[a]).norm();
+      if (length > (1.0 + network.thresholds[b]) * network.bond(b).restLength) ++count;
+    }
+  }
+  return count;
+}
+
+double secondsPerStep(sim::Simulation& simulation) {
+  const Stopwatch stopwatch;
+  int steps = 0;
+  while (stopwatch.wallSeconds() < kMeasuredSeconds && steps < kMostMeasuredSteps) {
+    if (!simulation.stepOnce()) break;
+    ++steps;
+  }
+  return stopwatch.wallSeconds() / std::max(steps, 1);
+}
+
+sim::Result<Json> preflight(const modeling::Scene& scene, BuiltScene built) {
+  Json info;
+  info["bonds_broken_at_rest"] = bondsBrokenAtRest(built.network);
+  modeling::Conditions& conditions = built.conditions;
+  conditions.settings.step.reset();
+  auto simulation = sim::Simulation::create(std::move(built.network), std::move(conditions.environment),
+                                            std::move(conditions.tracks), conditions.settings);
+  if (!simulation) return simulation.problem();
+  const double stable = (*simulation)->step();
+  const double step = scene.solver.step.seconds.value_or(stable);
+  const double steps = std::ceil(scene.output.duration / step);
+  const sim::Snapshot start = (*simulation)->snapshot();
+  info["components"] = start.fragments.size();
+  info["stable_step_s"] = stable;
+  info["step_s"] = step;
+  info["steps"] = steps;
+  info["memory_bytes"] = (*simulation)->memoryBytes();
+  info["expected_wall_s"] = steps * secondsPerStep(**simulation);
+  info["frames"] = std::floor(std::min(scene.output.duration * scene.output.fps, steps)) + 1.0;
+  return info;
+}
+
+std::string beginningOf(const std::filesystem::path& file) {
+  std::string start(16, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::size_t text = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return text == std::string::npos ? "" : start.substr(text);
+}
+
+}  // namespace
+
+sim::Result<Json> describeScene(const std::filesystem::path& file) {
+  const sim::Result<modeling::SceneFile> scene = modeling::loadScene(file);
+  if (!scene) return scene.problem();
+  sim::Result<BuiltScene> built = modeling::build(scene->scene, file.parent_path());
+  if (!built) return scene->located(built.problem());
+  Json info = {{"kind", "scene"}, {"name", scene->scene.name}};
+  addCounts(built->network, info);
+  addExtent(built->network.positions, built->network.masses, info);
+  info["method"] = sim::nameOf(scene->scene.solver.method);
+  info["duration_s"] = scene->scene.output.duration;
+  info["parts"] = partsJson(built->parts);
+  info["glue"] = glueJson(built->glue);
+  info["warnings"] = built->warnings;
+  sim::Result<Json> flight = preflight(scene->scene, std::move(built).value());
+  if (!flight) return scene->located(flight.problem());
+  info["preflight"] = std::move(flight).value();
+  return info;
+}
+
+sim::Result<Json> describeTake(const std::filesystem::path& file) {
+  const auto opened = sim::TakeReader::open(file);
+  if (!opened) return opened.problem();
+  const sim::TakeReader& take = **opened;
+  Json info = {{"kind", "take"}};
+  const auto scene = modeling::parseScene(take.header().scene, "scene");
+  if (scene) info["name"] = scene->scene.name;
+  addCounts(take.network(), info);
+  addExtent(take.network().positions, take.network().masses, info);
+  info["frames"] = take.frameCount();
+  info["frames_per_second"] = take.header().framesPerSecond;
+  info["duration_s"] = take.frameCount() > 0 ? take.frameTime(take.frameCount() - 1) : 0.0;
+  info["checkpoints"] = take.checkpointFrames().size();
+  if (take.frameCount() > 0) {
+    const auto last = take.frame(take.frameCount() - 1);
+    if (!last) return last.problem();
+    info["steps"] = (*last)->stepCount;
+    info["fragments"] = (*last)->fragments.size();
+    info["broken_bonds"] = std::count((*last)->brokenBonds.begin(), (*last)->brokenBonds.end(), 1);
+  }
+  info["seed"] = take.header().seed;
+  info["scene_hash"] = take.header().sceneHash;
+  std::error_code error;
+  info["bytes"] = std::filesystem::file_size(file, error);
+  info["dropped_bytes"] = take.droppedBytes();
+  info["outcome"] = take.outcome().value_or("not finished");
+  return info;
+}
+
+sim::Result<Json> describeNetwork(const std::filesystem::path& file) {
+  const sim::Result<modeling::LammpsData> data = modeling::loadLammpsData(file);
+  if (!data) return data.problem();
+  Json info = {{"kind", "network"}, {"nodes", data->positions.size()}, {"bonds", data->bonds.size()}};
+  std::map<int, std::size_t> types;
+  for (const modeling::LammpsBond& bond : data->bonds) ++types[bond.type];
+  for (const auto& [type, count] : types) info["bonds_by_type"][std::to_string(type)] = count;
+  addExtent(data->positions, data->masses, info);
+  info["has_velocities"] = !data->velocities.empty();
+  return info;
+}
+
+sim::Result<Json> describe(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension == ".json") return describeScene(file);
+  if (extension == ".take") return describeTake(file);
+  if (extension == ".data") return describeNetwork(file);
+  const std::string start = beginningOf(file);
+  if (start.starts_with('{')) return describeScene(file);
+  if (start.find("SMTAKE") != std::string::npos) return describeTake(file);
+  return describeNetwork(file);
+}
+
+}  // namespace app
