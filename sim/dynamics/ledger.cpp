@@ -62,13 +62,15 @@ Vec3 Ledger::massMoved(const NodeVectors& position) const {
 }
 
 LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity,
-                       double elastic, double contact, const Vec3& gravity) const {
+                       const Energy& present, const Vec3& gravity) const {
   LedgerRow row;
   row.time = time;
   row.step = step;
   row.energy = flows_;
-  row.energy.elastic = elastic;
-  row.energy.contact = contact;
+  row.energy.elastic = present.elastic;
+  row.energy.contact = present.contact;
+  row.energy.dissipated += present.dissipated;
+  row.energy.outsideWork += present.outsideWork;
   for (std::size_t node = 0; node < position.size(); ++node) {
     const double mass = network_->masses[node];
     if (!std::isfinite(mass)) continue;
@@ -79,7 +81,7 @@ LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, co
   }
   row.energy.gravity = -gravity.dot(massMoved(position));
   row.energy.residual =
-      row.energy.mechanical() + flows_.dissipated + flows_.released - flows_.outsideWork - start_;
+      row.energy.mechanical() + row.energy.dissipated + row.energy.released - row.energy.outsideWork - start_;
   return row;
 }
 

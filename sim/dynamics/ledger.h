@@ -23,9 +23,10 @@ class Ledger {
   void addReleased(double energy) { flows_.released += energy; }
   void addOutsideWork(double energy) { flows_.outsideWork += energy; }
 
-  /// Draws up the account at one moment: velocities at that moment, elastic and contact energy as they are.
+  /// Draws up the account at one moment: velocities at that moment; `present` holds the elastic and contact
+  /// energy as they are, and what was dissipated and done from outside since the flows were last added to.
   LedgerRow draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity,
-                 double elastic, double contact, const Vec3& gravity) const;
+                 const Energy& present, const Vec3& gravity) const;
   /// Takes a row as the start, against which residuals are counted.
   void begin(const LedgerRow& row);
   /// Looks at a row for rises of energy that nothing explains. False when the energy is past all bounds: a

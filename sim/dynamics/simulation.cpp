@@ -123,7 +123,7 @@ Status Simulation::restore(std::span<const std::byte> checkpoint) {
 
 Snapshot Simulation::snapshot() const {
   const Stepper& stepper = state_->stepper;
-  const NodeVectors velocities = stepper.velocitiesNow();
+  const Stepper::Present present = stepper.present();
   const std::size_t count = stepper.network().nodeCount();
   Snapshot snapshot;
   snapshot.time = stepper.time();
@@ -132,13 +132,13 @@ Snapshot Simulation::snapshot() const {
   snapshot.velocities.reserve(count);
   for (std::size_t node = 0; node < count; ++node) {
     snapshot.positions.push_back(stepper.positions().get(node));
-    snapshot.velocities.push_back(velocities.get(node));
+    snapshot.velocities.push_back(present.velocity.get(node));
   }
   snapshot.fragmentOfNode = stepper.components().fragmentOfNode();
   snapshot.brokenBonds = stepper.breakage().brokenBonds();
   snapshot.brokenCells = stepper.breakage().brokenCells();
   snapshot.fragments = describeFragments(stepper.network(), stepper.components(), snapshot);
-  snapshot.ledger = stepper.drawLedger(velocities);
+  snapshot.ledger = stepper.drawLedger(present);
   return snapshot;
 }
 

@@ -56,7 +56,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
     controls_.moveTo(0.0);
     chooseStep();
     refreshContacts();
-    ledger_.begin(drawLedger(now_.velocity));
+    ledger_.begin(drawLedger(present()));
   });
 }
 
@@ -68,30 +68,27 @@ Contacts::Moment Stepper::moment() const {
   return {now_, controls_.colliders(), controls_.materials(), kick()};
 }
 
-double Stepper::potentialEnergy() const {
-  Motion unused;
-  return elasticEnergy(kernelStep(now_, unused), layout_.blockCount()) + contacts_.energy(moment());
-}
-
-/// Tracks change the world at fixed positions; what that does to the energy is work from outside.
+/// Tracks change the world at fixed positions; what that does to the energy is work from outside. The half
+/// kick that ends at this moment belongs to the world as it was.
 void Stepper::applyControls() {
   if (!controls_.hasTracks()) return;
   const Vec3 gravityBefore = controls_.gravity();
   Controls ahead = controls_;
   controlsTime_ = time();
   const Controls::Change change = ahead.moveTo(controlsTime_);
-  if (change.gravity)
-    ledger_.addOutsideWork(ledger_.gravityWork(now_.position, gravityBefore, ahead.gravity()));
-  if (change.stiffness || change.leap) {
-    const double before = potentialEnergy();
-    controls_ = std::move(ahead);
-    contacts_.moveColliders(controls_.colliderTravel());
+  const bool energyChanges = change.stiffness || change.leap;
+  if (energyChanges) finishKick();
+  const double before = energyChanges ? potentialEnergy() : 0.0;
+  controls_ = std::move(ahead);
+  contacts_.moveColliders(controls_.colliderTravel());
+  if (energyChanges) {
     refreshContacts();
     ledger_.addOutsideWork(potentialEnergy() - before);
     chooseStep();
-  } else {
-    controls_ = std::move(ahead);
-    contacts_.moveColliders(controls_.colliderTravel());
+  }
+  if (change.gravity) {
+    ledger_.addOutsideWork(ledger_.gravityWork(now_.position, gravityBefore, controls_.gravity()));
+    shiftKick(gravityBefore);
   }
 }
 
@@ -156,8 +153,6 @@ void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& report
 }
 
 Status Stepper::stepInArena() {
-  applyControls();
-  refreshContacts();
   if (contacts_.quiet()) {
     Contacts::clear(forces_);
   } else {
@@ -184,6 +179,8 @@ Status Stepper::stepInArena() {
   work_.bondsSkipped += breakage_.brokenBondCount();
   contacts_.age(now_, travel);
   breakOverstretched();
+  applyControls();
+  refreshContacts();
   return work_.steps % kStepsPerLedger == 0 ? watchEnergy() : Status(Done{});
 }
 
@@ -220,38 +217,8 @@ Problem Stepper::blowUp(const char* what) const {
 }
 
 Status Stepper::watchEnergy() {
-  if (ledger_.watch(ledgerNow())) return Done{};
+  if (ledger_.watch(drawLedger(present()))) return Done{};
   return blowUp("is the fastest, and there is far more energy than there was to have");
-}
-
-LedgerRow Stepper::drawLedger(const NodeVectors& velocities) const {
-  Motion unused;
-  const double elastic = elasticEnergy(kernelStep(now_, unused), layout_.blockCount());
-  return ledger_.draw(time(), step_, now_.position, velocities, elastic, contacts_.energy(moment()),
-                      controls_.gravity());
-}
-
-NodeVectors Stepper::velocitiesNow() const {
-  if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return now_.velocity;
-  // Half the last step's kick more, without moving anything. Contact forces are those of these positions:
-  // what computing them changes (contacts that grow while apart) the next step would change alike.
-  Motion ahead{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())};
-  std::vector<BlockReport> reports(layout_.blockCount());
-  arena_.execute([&] {
-    Contacts contacts = contacts_;
-    Contacts::Forces forces{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount()),
-                            std::vector<std::uint8_t>(layout_.blockCount(), 0)};
-    if (!contacts.quiet()) contacts.computeForces(moment(), forces);
-    KernelStep step = kernelStep(now_, ahead);
-    for (std::size_t k = 0; k < 3; ++k) {
-      step.external[k] = forces.total.axis(k);
-      step.externalLossy[k] = forces.lossy.axis(k);
-    }
-    step.hasExternal = forces.touched.data();
-    step.kick = 0.5 * lastStep_;
-    runKernel(step, reports);
-  });
-  return std::move(ahead.velocity);
 }
 
 Status Stepper::stepOnce() {

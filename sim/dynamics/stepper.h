@@ -21,9 +21,10 @@ namespace sim {
 /// - symplectic Euler: kick = dt, w = v'.
 /// - forward Euler exactly as printed (paper, "Dynamics"; P7): kick = dt, w = v, the old velocity.
 ///
-/// Order within a step: tracks; contact rows, if stale; contact forces; kernel (forces of bonds, move); then
-/// bonds that were overstretched at the step's beginning break, their cells with them, and fragments are
-/// relabelled.
+/// Order within a step: contact forces; kernel (forces of bonds, move); then bonds that were overstretched at
+/// the step's beginning break, their cells with them, and fragments are relabelled; then tracks make the
+/// world that of the new moment, and contact rows are rebuilt, if stale. So between steps all is of one
+/// moment, but for the half kick.
 class Stepper {
  public:
   Stepper(Network network, Environment environment, std::vector<Track> tracks, const Settings& settings);
@@ -44,10 +45,14 @@ class Stepper {
   double maxRise() const { return ledger_.maxRise(); }
   std::vector<BreakEvent> drainEvents() { return std::exchange(events_, {}); }
 
-  /// Velocities at the time of the positions.
-  NodeVectors velocitiesNow() const;
-  LedgerRow ledgerNow() const { return drawLedger(velocitiesNow()); }
-  LedgerRow drawLedger(const NodeVectors& velocities) const;
+  /// The moment of the positions: for Verlet half a kick ahead of what is stored.
+  struct Present {
+    NodeVectors velocity;
+    double dissipated = 0.0;   ///< erg, within that half kick
+    double outsideWork = 0.0;  ///< erg, likewise
+  };
+  Present present() const;
+  LedgerRow drawLedger(const Present& present) const;
   std::uint64_t stateHash() const;
 
   std::vector<std::byte> checkpoint() const;
@@ -58,6 +63,9 @@ class Stepper {
   Status stepInArena();
   void applyControls();
   void refreshContacts();
+  void finishKick();
+  void shiftKick(const Vec3& gravityBefore);
+  Present presentBy(Contacts& contacts, Contacts::Forces& forces) const;
   void chooseStep();
   void setStep(double step);
   /// s: how long this step's forces act on the velocities.

@@ -1,0 +1,79 @@
+#include "sim/dynamics/stepper.h"
+
+namespace sim {
+
+double Stepper::potentialEnergy() const {
+  Motion unused;
+  return elasticEnergy(kernelStep(now_, unused), layout_.blockCount()) + contacts_.energy(moment());
+}
+
+LedgerRow Stepper::drawLedger(const Present& present) const {
+  Motion unused;
+  Energy energy;
+  energy.elastic = elasticEnergy(kernelStep(now_, unused), layout_.blockCount());
+  energy.contact = contacts_.energy(moment());
+  energy.dissipated = present.dissipated;
+  energy.outsideWork = present.outsideWork;
+  return ledger_.draw(time(), step_, now_.position, present.velocity, energy, controls_.gravity());
+}
+
+/// Half the last step's kick more, without moving anything.
+Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces) const {
+  if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return {now_.velocity};
+  const double halfKick = 0.5 * lastStep_;
+  Motion ahead{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())};
+  std::vector<BlockReport> reports(layout_.blockCount());
+  Contacts::ColliderWork work;
+  if (contacts.quiet()) {
+    Contacts::clear(forces);
+  } else {
+    work = contacts.computeForces(moment(), forces);
+  }
+  KernelStep step = kernelStep(now_, ahead);
+  for (std::size_t k = 0; k < 3; ++k) {
+    step.external[k] = forces.total.axis(k);
+    step.externalLossy[k] = forces.lossy.axis(k);
+  }
+  step.hasExternal = forces.touched.data();
+  step.kick = halfKick;
+  runKernel(step, reports);
+  const double share = halfKick / kick();
+  Present present{std::move(ahead.velocity), share * work.dissipated, share * work.outside};
+  for (const BlockReport& report : reports) present.dissipated += report.dissipated;
+  return present;
+}
+
+Stepper::Present Stepper::present() const {
+  // Contact forces are those of these positions: what computing them changes (contacts that grow while apart)
+  // the next step would change alike, but a look must leave no trace.
+  return arena_.execute([&] {
+    Contacts contacts = contacts_;
+    Contacts::Forces forces{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount()),
+                            std::vector<std::uint8_t>(layout_.blockCount(), 0)};
+    return presentBy(contacts, forces);
+  });
+}
+
+/// Brings velocities to the moment of the positions. When forces leap, the half kicks before and after the
+/// leap must be different ones: together they would throw stiffened bonds by up to (old step / new step)
+/// times their due.
+void Stepper::finishKick() {
+  if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return;
+  Present present = presentBy(contacts_, forces_);
+  now_.velocity = std::move(present.velocity);
+  ledger_.addDissipated(present.dissipated);
+  ledger_.addOutsideWork(present.outsideWork);
+  lastStep_ = 0.0;
+}
+
+/// The same for gravity alone, which needs no forces: the half kick still to come is one by the gravity of
+/// before.
+void Stepper::shiftKick(const Vec3& gravityBefore) {
+  if (settings_.method != Method::velocityVerlet) return;
+  const Vec3 shift = 0.5 * lastStep_ * (gravityBefore - controls_.gravity());
+  for (std::size_t node = 0; node < network_.nodeCount(); ++node) {
+    if (inverseMasses_[node] > 0.0) now_.velocity.add(node, shift);
+  }
+}
+
+}  // namespace sim
