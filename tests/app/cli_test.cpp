@@ -1,0 +1,213 @@
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A soft plate that falls on an edge and breaks within 0.03 s.
+constexpr const char* kPlate = R"({"smithereens": 1, "name": "a plate falls",
+ "materials": {"biscuit": {"youngsModulus": 2e8, "density": 2, "threshold": {"mean": 0.004, "spread": 0.2}}},
+ "parts": [{"name": "plate", "kind": "slab", "material": "biscuit", "size": [6, 6, 1], "resolution": {"cellSize": 1},
+   "worldFromPart": {"position": [0, 0, 2.5], "rotation": [25, 10, 0]}, "velocity": [0, 0, -300]}],
+ "environment": {"colliders": [{"name": "floor", "kind": "floor"}]},
+ "output": {"duration": 0.03, "fps": 500}})";
+
+class PlateFolder {
+ public:
+  PlateFolder() : folder_(tests::freshFolder("smithereens-cli")) { std::ofstream(scene()) << kPlate; }
+  ~PlateFolder() { std::filesystem::remove_all(folder_); }
+
+  std::string scene() const { return file("plate.scene.json"); }
+  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+  Json json(const std::string& name) const { return Json::parse(std::ifstream(file(name))); }
+
+ private:
+  std::string folder_;
+};
+
+tests::Answer simulate(const PlateFolder& folder, const std::string& name, const std::string& options) {
+  return tests::runCli("simulate " + folder.scene() + " --take " + folder.file(name + ".take") +
+                       " --report " + folder.file(name + ".json") + " " + options);
+}
+
+TEST_CASE("a run leaves a report with everything it promises") {
+  const PlateFolder folder;
+  const auto answer = simulate(folder, "run", "");
+  INFO(answer.errors);
+  REQUIRE(answer.status == 0);
+  CHECK(answer.errors.empty());  // progress is for terminals
+  const Json report = folder.json("run.json");
+  for (const char* key :
+       {"nodes",        "bonds",      "cells",  "components",  "fragments", "isolated_nodes", "broken_bonds",
+        "broken_cells", "steps",      "step_s", "simulated_s", "wall_s",    "cpu_s",          "threads",
+        "method",       "state_hash", "energy", "momentum",    "work",      "events"}) {
+    INFO(key);
+    CHECK(report.contains(key));
+  }
+  for (const char* key : {"kinetic", "elastic", "gravity", "contact", "dissipated", "released", "total",
+                          "max_rise", "residual"}) {
+    INFO(key);
+    CHECK(report["energy"].at(key).is_number());
+  }
+  CHECK(report["momentum"]["linear"].size() == 3);
+  CHECK(report["momentum"]["angular"].size() == 3);
+  for (const char* key : {"bonds_evaluated", "bonds_skipped", "contact_pairs", "labelings", "steps_rigid"}) {
+    INFO(key);
+    CHECK(report["work"].contains(key));
+  }
+  CHECK(report["broken_bonds"].get<int>() > 0);
+  CHECK(report["events"]["breaks"] == report["broken_bonds"]);
+  CHECK(report["events"]["first_break_s"].get<double>() > 0.0);
+  CHECK(report["nodes"] == 7 * 7 * 2);
+  CHECK(report["components"] == 1);
+}
+
+TEST_CASE("the same scene comes to the same end on any number of threads, and another seed to another") {
+  const PlateFolder folder;
+  const auto hashOf = [&](const std::string& options) {
+    REQUIRE(simulate(folder, "run", options).status == 0);
+    return folder.json("run.json")["state_hash"].get<std::string>();
+  };
+  const std::string hash = hashOf("--threads 1");
+  CHECK(hashOf("--threads 2") == hash);
+  CHECK(hashOf("--threads 3 --fps 50") == hash);  // when frames are taken does not matter either
+  CHECK(hashOf("--seed 2") != hash);
+}
+
+TEST_CASE("a killed run goes on to the same end") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "whole", "").status == 0);
+  const std::string take = folder.file("cut.take");
+  for (const int percent : {20, 50, 80}) {
+    // What a kill leaves is a beginning of the file (each append is whole or absent).
+    std::filesystem::copy_file(folder.file("whole.take"), take,
+                               std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(take,
+                                 std::filesystem::file_size(take) * static_cast<unsigned>(percent) / 100);
+    const auto answer = tests::runCli("resume " + take + " --report " + folder.file("cut.json"));
+    INFO(answer.errors);
+    REQUIRE(answer.status == 0);
+    const Json whole = folder.json("whole.json");
+    const Json resumed = folder.json("cut.json");
+    for (const char* key : {"state_hash", "steps", "fragments", "broken_bonds", "events", "energy", "work"}) {
+      INFO(key);
+      CHECK(resumed[key] == whole[key]);
+    }
+  }
+}
+
+TEST_CASE("a finished run goes on past its end as one that was meant to") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "short", "").status == 0);
+  REQUIRE(simulate(folder, "long", "--until 0.04").status == 0);
+  REQUIRE(tests::runCli("resume " + folder.file("short.take") + " --until 0.04 --report " +
+                        folder.file("on.json"))
+              .status == 0);
+  CHECK(folder.json("on.json")["state_hash"] == folder.json("long.json")["state_hash"]);
+  CHECK(Json::parse(tests::runCli("info --json " + folder.file("short.take")).output)["frames"] == 21);
+}
+
+TEST_CASE("options change what they say, and settings anything") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "run",
+                   "--until 0.001 --method symplectic-euler --step 1e-5 --set environment.gravity=[0,0,0] "
+                   "--set parts.plate.velocity=[0,0,0]")
+              .status == 0);
+  const Json report = folder.json("run.json");
+  CHECK(report["method"] == "symplectic-euler");
+  CHECK(report["step_s"] == 1e-5);
+  CHECK(report["steps"] == 100);
+  CHECK(report["energy"]["kinetic"].get<double>() < 1e-12);  // nothing acts: only rounding moves it
+}
+
+TEST_CASE("a wrong input ends with status 2 and one line that says where and how to mend it") {
+  const PlateFolder folder;
+  const std::string scene = folder.scene();
+  const std::pair<std::string, std::string> wrong[] = {
+      {"simulate " + scene + " --method rk5", "--method:1:1: method does not know \"rk5\"; did you mean"},
+      {"simulate " + scene + " --step nan", "--step:1:1: step does not know \"nan\"; did you mean \"auto\""},
+      {"simulate " + scene + " --until -1", "--until:1:1: duration holds -1; give a number of at least 0"},
+      {"simulate " + scene + " --set output.fsp=3",
+       "--set output.fsp:1:1: there is no key \"fsp\" here; did you mean \"fps\""},
+      {"simulate " + scene + " --threads -3", "command line: "},
+      {"simulate " + scene + " --take /nowhere/x.take", "/nowhere/x.take"},
+      {"simulate " + folder.file("none.json"),
+       folder.file("none.json") + ":1:1: there is no such file; check the path"},
+      {"simulate", "command line: scene is required; see smithereens-cli --help"},
+      {"resume " + scene, scene},
+      {"info " + folder.file(""), folder.file("") + ":1:1: this is not a file"},
+      {"dance", "command line: "},
+      {"", "command line: "},
+  };
+  for (const auto& [arguments, line] : wrong) {
+    const auto answer = tests::runCli(arguments);
+    INFO(arguments + " -> " + answer.errors);
+    CHECK(answer.status == 2);
+    CHECK(answer.output.empty());
+    CHECK(answer.errors.starts_with(line));
+    CHECK(std::count(answer.errors.begin(), answer.errors.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("a problem found while building is told by line and column, too") {
+  const PlateFolder folder;
+  std::string text = kPlate;
+  const std::string place = "\"cellSize\": 1";
+  text.replace(text.find(place), place.size(), "\"cellSize\": 1e-4");
+  std::ofstream(folder.scene()) << text;
+  const auto answer = tests::runCli("simulate " + folder.scene());
+  INFO(answer.errors);
+  CHECK(answer.status == 2);
+  CHECK(answer.errors.starts_with(folder.scene() + ":3:"));
+}
+
+TEST_CASE("a blow-up ends with status 1, names its cause, and keeps what was recorded") {
+  const PlateFolder folder;
+  const auto answer = simulate(folder, "run", "--step 2e-3");
+  INFO(answer.errors);
+  CHECK(answer.status == 1);
+  CHECK(answer.errors.find("biscuit") != std::string::npos);
+  CHECK(folder.json("run.json")["outcome"] != "done");
+  const Json take = Json::parse(tests::runCli("info --json " + folder.file("run.take")).output);
+  CHECK(take["frames"].get<int>() >= 1);
+  CHECK(take["outcome"] == folder.json("run.json")["outcome"]);
+}
+
+TEST_CASE("info says what a scene will be before it runs") {
+  const PlateFolder folder;
+  const auto answer = tests::runCli("info --json " + folder.scene());
+  REQUIRE(answer.status == 0);
+  const Json info = Json::parse(answer.output);
+  CHECK(info["kind"] == "scene");
+  CHECK(info["nodes"] == 98);
+  CHECK(info["mass_g"].get<double>() == Approx(2.0 * 36.0));
+  CHECK(info["parts"][0]["worst_scaled_jacobian"].get<double>() == Approx(1.0));
+  const Json& flight = info["preflight"];
+  CHECK(flight["bonds_broken_at_rest"] == 0);
+  CHECK(flight["stable_step_s"].get<double>() > 0.0);
+  CHECK(flight["steps"].get<double>() == std::ceil(0.03 / flight["step_s"].get<double>()));
+  CHECK(flight["frames"] == 16);
+  CHECK(tests::runCli("info " + folder.scene()).output.find("stable step s") != std::string::npos);
+}
+
+TEST_CASE("info counts the bonds that would break before anything moves") {
+  const std::string scene = SMITHEREENS_SOURCE_DIR "/tests/data/lammps-bar/bar.scene.json";
+  const PlateFolder folder;
+  std::ofstream(folder.file("pair.data"))
+      << "two nodes\n\n2 atoms\n1 bonds\n\nMasses\n\n1 1\n\nAtoms\n\n1 1 1 0 0 0\n"
+         "2 1 1 1.5 0 0\n\nBonds\n\n1 1 1 2\n";
+  std::ofstream(folder.file("pair.scene.json"))
+      << R"({"smithereens": 1, "parts": [{"name": "pair", "kind": "network", "file": "pair.data", "format": "lammps",
+             "bondTypes": {"1": {"stiffness": 10, "restLength": 1, "threshold": 0.4}}}]})";
+  const Json info = Json::parse(tests::runCli("info --json " + folder.file("pair.scene.json")).output);
+  CHECK(info["preflight"]["bonds_broken_at_rest"] == 1);
+  CHECK(Json::parse(tests::runCli("info --json " + scene).output)["preflight"]["bonds_broken_at_rest"] == 0);
+}
+
+}  // namespace
