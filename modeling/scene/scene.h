@@ -91,7 +91,7 @@ struct Part {
   std::string material;  ///< a material's name; a network may leave it out
   Placement worldFromPart;
   Vec3 velocity = Vec3::Zero();         ///< cm/s
-  Vec3 angularVelocity = Vec3::Zero();  ///< rad/s, about the mean of the part's nodes
+  Vec3 angularVelocity = Vec3::Zero();  ///< rad/s, about its centre of mass
   std::vector<Box> hold;                ///< part coordinates: nodes inside are held where they are
 
   bool operator==(const Part&) const = default;

@@ -127,7 +127,7 @@ struct Fields<Part> {
         field("worldFromPart", &T::worldFromPart, "Scale, then rotation, then position."),
         field("velocity", &T::velocity, "At the start, cm/s."),
         field("angularVelocity", &T::angularVelocity,
-              "At the start, about the mean of the part's nodes, rad/s."),
+              "At the start, about the part's centre of mass, rad/s."),
         field("hold", &T::hold, "Boxes in part coordinates: nodes inside are held where they are.")};
   }
 };

@@ -1,8 +1,10 @@
 #include <fstream>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "modeling/scene/json_text.h"
 #include "modeling/scene/scene_file.h"
@@ -47,6 +49,13 @@ TEST_CASE("no value of the full scene is left behind") {
   CHECK(scene.tracks[4].target.object == "ball");
   CHECK(scene.solver.seed == 18446744073709551615U);
   CHECK(scene.solver.step.seconds == 2e-6);
+}
+
+std::string textOf(const std::string& file) {
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
 }
 
 /// Numbers of every magnitude, drawn as bit patterns.
@@ -127,11 +136,34 @@ TEST_CASE("a preset is laid under the keys that are given", "[presets]") {
 }
 
 TEST_CASE("the schema in resources is the one made from the reader's keys") {
-  std::ifstream file(SMITHEREENS_SOURCE_DIR "/resources/scenes/scene.schema.json");
-  std::stringstream text;
-  text << file.rdbuf();
   // To renew it: test-scene "[renew-schema]"
-  CHECK(text.str() == modeling::sceneSchema());
+  CHECK(textOf(SMITHEREENS_SOURCE_DIR "/resources/scenes/scene.schema.json") == modeling::sceneSchema());
+}
+
+void collectKeys(const nlohmann::json& schema, std::set<std::string>& keys) {
+  if (schema.is_object() && schema.contains("properties")) {
+    for (const auto& [key, property] : schema["properties"].items()) keys.insert(key);
+  }
+  if (!schema.is_structured()) return;
+  for (const auto& part : schema) collectKeys(part, keys);
+}
+
+TEST_CASE("the description of the format leaves no key out") {
+  std::set<std::string> keys;
+  collectKeys(nlohmann::json::parse(modeling::sceneSchema()), keys);
+  CHECK(keys.size() > 80);
+  const std::string text = textOf(SMITHEREENS_SOURCE_DIR "/docs/formats.md");
+  for (const std::string& key : keys) {
+    INFO(key);
+    CHECK((text.find("`" + key + "`") != std::string::npos || key == "radians"));
+  }
+}
+
+TEST_CASE("the example in the description of the format is a scene") {
+  const std::string text = textOf(SMITHEREENS_SOURCE_DIR "/docs/formats.md");
+  const std::size_t start = text.find("```json\n") + 8;
+  const Scene scene = sceneOf(text.substr(start, text.find("```", start) - start));
+  CHECK(scene.parts.size() == 1);
 }
 
 TEST_CASE("write the schema into resources", "[.][renew-schema]") {
