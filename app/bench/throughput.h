@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "sim/base/result.h"
+
+namespace app {
+
+/// `bench throughput`: bond updates a second of the whole step (force, damping, break test, integration),
+/// each bond counted once, on bodies from 3,700 to 500,000 nodes, beside a plain loop over bonds in the same
+/// run. Prints a table; with a folder, writes throughput.json there.
+sim::Status benchThroughput(const std::vector<int>& threads,
+                            const std::optional<std::filesystem::path>& folder);
+
+/// `bench scaling`: time a step against the number of nodes, for a solid slab and for loose cubes in contact
+/// (P12: linear). Prints a table; with a folder, writes scaling.json there.
+sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>& folder);
+
+/// Writes a JSON text into folder/name, making the folder.
+sim::Status writeResult(const std::filesystem::path& folder, const char* name, const std::string& text);
+
+}  // namespace app
