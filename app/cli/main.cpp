@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/bench_command.h"
+#include "app/cli/calibrate_command.h"
 #include "app/cli/command.h"
 #include "app/cli/export_command.h"
 #include "app/cli/info_command.h"
@@ -17,9 +19,9 @@ using app::AddCommand;
 using app::ExitStatus;
 
 /// Every command of the program, in the order in which help lists them.
-constexpr std::initializer_list<AddCommand> kCommands = {app::addSimulateCommand, app::addResumeCommand,
-                                                         app::addInfoCommand, app::addRenderCommand,
-                                                         app::addExportCommand};
+constexpr std::initializer_list<AddCommand> kCommands = {
+    app::addSimulateCommand, app::addResumeCommand,    app::addInfoCommand, app::addRenderCommand,
+    app::addExportCommand,   app::addCalibrateCommand, app::addBenchCommand};
 
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Dishware that bends, hiccups, sneezes and breaks.", "smithereens-cli");
