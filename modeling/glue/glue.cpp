@@ -159,9 +159,7 @@ class Gluer {
     std::size_t count = 0;
     for (NodeIndex node = 0; node < dropped.size(); ++node) {
       const Vec3& place = parts_[settings.a].nodes[node];
-      if (dropped[node] == kNone || excluded.contains(node) ||
-          (settings.region && !settings.region->contains(place)))
-        continue;
+      if (dropped[node] == kNone || excluded.contains(node)) continue;
       count += index.nearest(place, settings.reach).has_value();
     }
     return count;

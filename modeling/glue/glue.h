@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "sim/base/result.h"
 #include "sim/network/network.h"
 
@@ -49,7 +47,6 @@ struct GlueSettings {
   double reach = 0.0;                    ///< cm, > 0: nodes of A this near to a node of B are glued
   std::vector<GluePair> explicitPairs;   ///< where not empty, exactly these are glued, whatever the reach
   std::vector<NodeIndex> excludedNodes;  ///< nodes of A that stay free
-  std::optional<Eigen::AlignedBox3d> region;  ///< world, cm: only nodes of A inside it are glued
 };
 
 /// What would be glued, in order of a.

@@ -109,7 +109,7 @@ class Pairing {
     nearest_ = partner_;
     bool any = false;
     for (NodeIndex node = 0; node < a_.nodes.size(); ++node) {
-      if (excluded[node] || (settings_.region && !settings_.region->contains(a_.nodes[node]))) continue;
+      if (excluded[node]) continue;
       if (const auto found = index_.nearest(a_.nodes[node], settings_.reach)) {
         nearest_[node] = *found;
         any = true;

@@ -22,11 +22,17 @@ std::size_t indexOf(const Items& items, const std::string& name) {
   return static_cast<std::size_t>(found - items.begin());
 }
 
-Eigen::AlignedBox3d alignedBox(const Box& box) {
-  return {box.min, box.max};
+/// The region is a box in part a's own coordinates, so that a glue means the same wherever the part is put.
+void excludeOutside(const Box& region, const Part& a, const std::vector<Vec3>& worldNodes,
+                    std::vector<NodeIndex>& excluded) {
+  const Eigen::AlignedBox3d box(region.min, region.max);
+  const Eigen::Affine3d partFromWorld = a.worldFromPart.worldFromPart().inverse();
+  for (NodeIndex node = 0; node < worldNodes.size(); ++node) {
+    if (!box.contains(Vec3(partFromWorld * worldNodes[node]))) excluded.push_back(node);
+  }
 }
 
-std::vector<GlueSettings> glueSettings(const Scene& scene) {
+std::vector<GlueSettings> glueSettings(const Scene& scene, const std::vector<AssemblyPart>& parts) {
   std::vector<GlueSettings> result;
   for (const Gluing& gluing : scene.glue) {
     GlueSettings& settings = result.emplace_back();
@@ -35,7 +41,10 @@ std::vector<GlueSettings> glueSettings(const Scene& scene) {
     settings.reach = gluing.reach;
     for (const auto& pair : gluing.pairs) settings.explicitPairs.push_back({pair[0], pair[1], 0.0});
     settings.excludedNodes = gluing.exclude;
-    if (gluing.region) settings.region = alignedBox(*gluing.region);
+    if (gluing.region) {
+      excludeOutside(*gluing.region, scene.parts[settings.a], parts[settings.a].lattice.nodes,
+                     settings.excludedNodes);
+    }
   }
   return result;
 }
@@ -188,7 +197,7 @@ sim::Result<BuiltScene> build(const Scene& scene, const std::filesystem::path& f
   if (const sim::Status status = checkScene(scene); !status) return status.problem();
   sim::Result<BuiltParts> parts = buildParts(scene, folder);
   if (!parts) return parts.problem();
-  const sim::Result<GlueResult> glued = glue(glueParts(parts->parts), glueSettings(scene));
+  const sim::Result<GlueResult> glued = glue(glueParts(parts->parts), glueSettings(scene, parts->parts));
   if (!glued) return glued.problem();
   sim::Result<sim::Blueprint> blueprint = assemble(parts->parts, parts->materials, *glued);
   if (!blueprint) return blueprint.problem();

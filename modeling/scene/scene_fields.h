@@ -191,7 +191,7 @@ struct Fields<Gluing> {
         field("reach", &T::reach, "Nodes of a this near to a node of b are glued, cm.").atLeast(0),
         field("pairs", &T::pairs, "Where given, exactly these pairs of a node of a and one of b are glued."),
         field("exclude", &T::exclude, "Nodes of a that stay free."),
-        field("region", &T::region, "World box: only nodes of a inside are glued.")};
+        field("region", &T::region, "Box in coordinates of part a: only its nodes inside are glued.")};
   }
 };
 
