@@ -1,5 +1,6 @@
 #include "modeling/shapes/sheet.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace modeling {
@@ -69,7 +70,8 @@ class TurnedSheetBuilder {
     const double between = layout_.length - layout_.startLength - layout_.endLength;
     for (int row = 1; row <= layout_.rowsBetween; ++row) {
       const std::uint32_t before = lastRow();
-      addRow(layout_.startLength + between * row / layout_.rowsBetween, circle_, row);
+      addRow(std::min(layout_.startLength + between * row / layout_.rowsBetween, layout_.length), circle_,
+             row);
       connect(before, lastRow());
     }
     if (layout_.endClosed) addEndDisc();
