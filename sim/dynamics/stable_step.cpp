@@ -14,6 +14,8 @@ namespace {
 /// Power iteration converges from below; this covers what twenty steps miss (measured: 2 to 3 %).
 constexpr double kPowerMargin = 1.03;
 constexpr int kPowerSteps = 20;
+/// Power of a node's bound with which the iteration starts: a spot half again as stiff stands out 25 times.
+constexpr double kLeaning = 8.0;
 /// Different cells whose eigenvalues are computed before the rest is bounded by row sums alone.
 constexpr std::size_t kMostCells = 400;
 
@@ -21,8 +23,8 @@ double inverseMass(const Network& network, NodeIndex node) {
   return 1.0 / network.masses[node];
 }
 
-/// Gershgorin's bound of the eigenvalues of M^-1/2 K M^-1/2, all nodes.
-double nodeBound(const Network& network) {
+/// Gershgorin's bounds of the eigenvalues of M^-1/2 K M^-1/2, node by node.
+std::vector<double> nodeBounds(const Network& network) {
   std::vector<double> rowSum(network.nodeCount(), 0.0);
   for (NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
@@ -33,7 +35,7 @@ double nodeBound(const Network& network) {
       rowSum[other] += stiffness * inverseMass(network, other) + cross;
     }
   }
-  return *std::max_element(rowSum.begin(), rowSum.end());
+  return rowSum;
 }
 
 /// Splits stiffness of bonds and mass of nodes evenly among the cells that hold them: the largest eigenvalue
@@ -129,14 +131,18 @@ class CellBound {
   std::vector<std::uint16_t> cellsOfBond_;
 };
 
-/// Largest eigenvalue of M^-1/2 K M^-1/2 of the network where it stands, from below.
-double powerEstimate(const Network& network) {
+/// Largest eigenvalue of M^-1/2 K M^-1/2 of the network where it stands, from below. The start leans towards
+/// the nodes of high bounds: a stiff spot in a large network would be lost in a start that is random
+/// everywhere.
+double powerEstimate(const Network& network, const std::vector<double>& bounds) {
   const std::size_t count = network.nodeCount();
   std::vector<Vec3> vector(count);
   std::vector<Vec3> image(count);
+  const double highest = *std::max_element(bounds.begin(), bounds.end());
   for (std::size_t n = 0; n < count; ++n) {
+    const double weight = std::pow(bounds[n] / highest, kLeaning);
     for (std::size_t k = 0; k < 3; ++k)
-      vector[n][static_cast<Eigen::Index>(k)] = uniformAt(1, 3 * n + k) - 0.5;
+      vector[n][static_cast<Eigen::Index>(k)] = weight * (uniformAt(1, 3 * n + k) - 0.5);
   }
   double eigenvalue = 0.0;
   for (int step = 0; step < kPowerSteps; ++step) {
@@ -173,12 +179,13 @@ double powerEstimate(const Network& network) {
 Spectrum measureSpectrum(const Network& network) {
   Spectrum spectrum;
   if (network.bondCount() == 0) return spectrum;
-  double bound = nodeBound(network);
+  const std::vector<double> bounds = nodeBounds(network);
+  double bound = *std::max_element(bounds.begin(), bounds.end());
   if (network.cellCount() > 0) {
     const CellBound cells(network);
     if (cells.coversAll()) bound = std::min(bound, cells.bound());
   }
-  const double power = std::sqrt(powerEstimate(network)) * kPowerMargin;
+  const double power = std::sqrt(powerEstimate(network, bounds)) * kPowerMargin;
   spectrum.highestFrequency = power > 0.0 ? std::min(std::sqrt(bound), power) : std::sqrt(bound);
   spectrum.shortestDamping = std::numeric_limits<double>::max();
   for (const BondClass& bond : network.classes) {
