@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include <tbb/parallel_for.h>
+#include "sim/base/parallel.h"
 
 namespace modeling {
 namespace {
@@ -140,7 +140,7 @@ std::vector<sim::BlueprintBond> addUpBonds(const std::vector<Vec3>& positions,
   const Sources sources{positions, cells, corners, looseBonds, constants};
   std::vector<std::vector<sim::BlueprintBond>> blocks((positions.size() + kNodesPerBlock - 1) /
                                                       kNodesPerBlock);
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t block) {
+  sim::parallelFor(blocks.size(), [&](std::size_t block) {
     const std::size_t begin = block * kNodesPerBlock;
     blocks[block] = bondsOfNodes(sources, begin, std::min(begin + kNodesPerBlock, positions.size()));
   });

@@ -6,10 +6,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <tbb/parallel_for.h>
 
 #include "modeling/material/checkerboard.h"
 #include "modeling/material/congruence.h"
+#include "sim/base/parallel.h"
 
 namespace modeling {
 namespace {
@@ -290,7 +290,7 @@ BondFit fitBonds(const std::vector<Vec3>& nodes, const std::vector<sim::CellCorn
   BondFit fit;
   fit.shapes.resize(congruence.representatives.size());
   fit.shapeOfCell = std::move(congruence.classOfCell);
-  tbb::parallel_for(std::size_t{0}, fit.shapes.size(), [&](std::size_t shape) {
+  sim::parallelFor(fit.shapes.size(), [&](std::size_t shape) {
     const sim::CellIndex cell = congruence.representatives[shape];
     const CornerPositions corners = cornerPositions(nodes, cells[cell]);
     fit.shapes[shape].volume = cellVolume(corners);

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "sim/base/parallel.h"
 #include "sim/contact/contacts.h"
 
 namespace sim {
@@ -159,9 +158,8 @@ Contacts::ColliderWork Contacts::computeForces(const Moment& moment, Forces& for
     forces.touched[pair.a / kBlockNodes] = forces.touched[pair.b / kBlockNodes] = 1;
   rowWork_.resize(rows_.size());
   const auto overRows = [&](auto&& work) {
-    const auto range = tbb::blocked_range<std::size_t>(0, rows_.size(), kRowGrain);
-    tbb::parallel_for(range, [&](const auto& part) {
-      for (std::size_t r = part.begin(); r < part.end(); ++r) work(r);
+    parallelRanges(rows_.size(), kRowGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end; ++r) work(r);
     });
   };
   overRows([&](std::size_t r) { activate(rows_[r], moment); });

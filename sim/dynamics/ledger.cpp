@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
+#include "sim/base/parallel.h"
 
 namespace sim {
 namespace {
@@ -40,8 +40,8 @@ double slotEnergy(const KernelStep& step, const BondSlot& slot, std::size_t bloc
 
 double elasticEnergy(const KernelStep& step, std::size_t blockCount) {
   std::vector<double> ofBlock(blockCount, 0.0);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blockCount, 64), [&](const auto& part) {
-    for (std::size_t block = part.begin(); block < part.end(); ++block) {
+  parallelRanges(blockCount, 64, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) {
       const BondSlot* const first = step.slots + step.firstSlot[block];
       for (const BondSlot* slot = first; slot != first + step.slotCount[block]; ++slot)
         ofBlock[block] += slotEnergy(step, *slot, block);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
+#include "sim/base/parallel.h"
 
 namespace sim {
 namespace {
@@ -146,10 +146,8 @@ void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& report
     kernel_(step, 0, blocks, reports.data());
     return;
   }
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, blocks, kBlockGrain),
-      [&](const auto& part) { kernel_(step, part.begin(), part.end(), reports.data()); },
-      tbb::static_partitioner());
+  parallelRanges(blocks, kBlockGrain, Sharing::even,
+                 [&](std::size_t begin, std::size_t end) { kernel_(step, begin, end, reports.data()); });
 }
 
 Status Stepper::stepInArena() {

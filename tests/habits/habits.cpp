@@ -167,6 +167,15 @@ Offences librariesInTheWrongRoom(const std::vector<File>& tree) {
   return offences;
 }
 
+Offences parallelLoopsOfTheirOwn(const std::vector<File>& tree) {
+  Offences offences;
+  forEachInclude(tree, [&](const File& file, std::size_t line, std::ptrdiff_t, const std::string& included) {
+    if (included.starts_with("tbb/parallel_") && file.path != "sim/base/parallel.h")
+      offences.push_back({file.path, line, "runs loops by " + included + ", not by sim/base/parallel.h"});
+  });
+  return offences;
+}
+
 Offences notesToSelf(const std::vector<File>& tree) {
   Offences offences;
   for (const File& file : tree) {

@@ -23,6 +23,8 @@ std::vector<Offence> strayFolders(const std::vector<File>& tree);
 std::vector<Offence> includesAgainstTheArrows(const std::vector<File>& tree);
 /// Each library is used from one room on: no Qt in sim or modeling, no JSON in sim, and so on.
 std::vector<Offence> librariesInTheWrongRoom(const std::vector<File>& tree);
+/// Loops run in parallel by sim/base/parallel.h, which the thread sanitizer can follow.
+std::vector<Offence> parallelLoopsOfTheirOwn(const std::vector<File>& tree);
 /// Work that is left is no comment in the code.
 std::vector<Offence> notesToSelf(const std::vector<File>& tree);
 std::vector<Offence> longFiles(const std::vector<File>& tree, std::size_t mostLines);

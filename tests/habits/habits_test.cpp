@@ -68,6 +68,13 @@ TEST_CASE("no room uses a library that is not its own") {
   CHECK(offencesOf("sim/a.cpp", "#include <Eigen/QR>") == 0);
 }
 
+TEST_CASE("there is one way to run a loop in parallel") {
+  checkNone(habits::parallelLoopsOfTheirOwn(ourTree()));
+  const std::string line = "#include <tbb/parallel_reduce.h>";
+  CHECK(habits::parallelLoopsOfTheirOwn(treeOf("sim/dynamics/a.cpp", line)).size() == 1);
+  CHECK(habits::parallelLoopsOfTheirOwn(treeOf("sim/base/parallel.h", line)).empty());
+}
+
 TEST_CASE("nobody leaves notes to himself") {
   checkNone(habits::notesToSelf(ourTree()));
   const std::string note = std::string("TO") + "DO";

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
+#include "sim/base/parallel.h"
 
 namespace ui {
 
@@ -104,7 +104,8 @@ void FilmPixel::finish() {
 void smoothIndirect(Film& film) {
   std::vector<Smoothed> smoothed(film.pixels.size());
   for (int pass = 0; pass < kPasses; ++pass) {
-    tbb::parallel_for(0, film.height, [&](int y) {
+    sim::parallelFor(static_cast<std::size_t>(film.height), [&](std::size_t row) {
+      const int y = static_cast<int>(row);
       for (int x = 0; x < film.width; ++x) {
         smoothed[static_cast<std::size_t>(y * film.width + x)] = smoothedPixel(film, x, y, 1 << pass);
       }

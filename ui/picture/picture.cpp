@@ -5,10 +5,9 @@
 #include <cmath>
 #include <mutex>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "sim/base/parallel.h"
 #include "ui/picture/path_tracer.h"
 
 namespace ui {
@@ -76,8 +75,9 @@ class Renderer {
     const int most = tbb::this_task_arena::max_concurrency();
     tbb::task_arena arena(settings_.threads > 0 ? std::min(settings_.threads, most) : most);
     arena.execute([&] {
-      tbb::parallel_for(0, tileCount, [&](int tile) {
+      sim::parallelFor(static_cast<std::size_t>(tileCount), [&](std::size_t index) {
         if (cancelled_) return;
+        const int tile = static_cast<int>(index);
         drawTile((tile % tilesAcross) * kTile, (tile / tilesAcross) * kTile);
         tell(tileCount);
       });
