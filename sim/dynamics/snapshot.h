@@ -16,7 +16,7 @@ struct Energy {
   double contact = 0.0;      ///< in node contacts, colliders and broken bonds in compression
   double dissipated = 0.0;   ///< by damping, friction and plastic flow, since the start
   double released = 0.0;     ///< dropped when bonds broke in tension, since the start
-  double outsideWork = 0.0;  ///< done by tracks and moving colliders, since the start
+  double outsideWork = 0.0;  ///< done by tracks, moving colliders and held nodes that move
   double residual = 0.0;
 
   double mechanical() const { return kinetic + elastic + gravity + contact; }

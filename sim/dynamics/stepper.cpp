@@ -50,7 +50,9 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
   for (std::size_t node = 0; node < count; ++node) {
     now_.position.set(node, network_.positions[node]);
     now_.velocity.set(node, network_.velocities[node]);
-    inverseMasses_[node] = std::isfinite(network_.masses[node]) ? 1.0 / network_.masses[node] : 0.0;
+    const bool held = !std::isfinite(network_.masses[node]);
+    inverseMasses_[node] = held ? 0.0 : 1.0 / network_.masses[node];
+    if (held && !network_.velocities[node].isZero(0.0)) carried_.push_back(static_cast<NodeIndex>(node));
   }
   arena_.execute([&] {
     controls_.moveTo(0.0);
@@ -159,6 +161,7 @@ Status Stepper::stepInArena() {
     ledger_.addDissipated(work.dissipated);
     work_.contactPairs += contacts_.pairCount();
   }
+  ledger_.addOutsideWork(carryingWork(forces_, kick()));
   KernelStep step = kernelStep(now_, next_);
   step.kick = kick();
   step.drift = step_;

@@ -66,6 +66,8 @@ class Stepper {
   void finishKick();
   void shiftKick(const Vec3& gravityBefore);
   Present presentBy(Contacts& contacts, Contacts::Forces& forces) const;
+  double carryingWork(const Contacts::Forces& forces, double kick) const;
+  Vec3 bondForce(NodeIndex node, NodeIndex neighbour) const;
   void chooseStep();
   void setStep(double step);
   /// s: how long this step's forces act on the velocities.
@@ -97,6 +99,7 @@ class Stepper {
   Motion now_;
   Motion next_;  ///< where the step is written; afterwards, the state before it
   AlignedVector<double> inverseMasses_;
+  std::vector<NodeIndex> carried_;  ///< held nodes that move
   Contacts::Forces forces_;
   std::vector<BlockReport> reports_;
   std::vector<BreakEvent> events_;

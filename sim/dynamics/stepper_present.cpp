@@ -17,6 +17,32 @@ LedgerRow Stepper::drawLedger(const Present& present) const {
   return ledger_.draw(time(), step_, now_.position, present.velocity, energy, controls_.gravity());
 }
 
+/// As in the kernel.
+Vec3 Stepper::bondForce(NodeIndex node, NodeIndex neighbour) const {
+  const BondIndex index = network_.findBond(node, neighbour);
+  const BondClass& bond = network_.bond(index);
+  const MaterialNow& material = controls_.materials()[bond.material];
+  const Vec3 apart = now_.position.get(neighbour) - now_.position.get(node);
+  const Vec3 along = apart.normalized();
+  const double rate = (now_.velocity.get(neighbour) - now_.velocity.get(node)).dot(along);
+  const double extension = apart.norm() - layout_.restLength(network_, index);
+  return (bond.stiffness * material.stiffnessScale * extension +
+          bond.damping * material.dampingScale * rate) *
+         along;
+}
+
+/// What whoever carries held nodes along does against the forces on them during a kick, erg.
+double Stepper::carryingWork(const Contacts::Forces& forces, double kick) const {
+  double work = 0.0;
+  for (const NodeIndex node : carried_) {
+    Vec3 force = Vec3::Zero();
+    if (forces.touched[node / kBlockNodes] != 0) force += forces.total.get(node);
+    layout_.forEachNeighbour(node, [&](NodeIndex neighbour) { force += bondForce(node, neighbour); });
+    work -= kick * force.dot(now_.velocity.get(node));
+  }
+  return work;
+}
+
 /// Half the last step's kick more, without moving anything.
 Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces) const {
   if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return {now_.velocity};
@@ -38,7 +64,8 @@ Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces
   step.kick = halfKick;
   runKernel(step, reports);
   const double share = halfKick / kick();
-  Present present{std::move(ahead.velocity), share * work.dissipated, share * work.outside};
+  Present present{std::move(ahead.velocity), share * work.dissipated,
+                  share * work.outside + carryingWork(forces, halfKick)};
   for (const BlockReport& report : reports) present.dissipated += report.dissipated;
   return present;
 }
