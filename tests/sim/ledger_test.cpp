@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <catch2/catch.hpp>
 
@@ -171,6 +172,24 @@ TEST_CASE("the account of a moving collider closes") {
   const Account account = accountOf(scene, 1.0);
   CHECK(account.end.outsideWork > 0.5 * account.scale);
   CHECK((account.end.dissipated > 0.0) == lossy);
+}
+
+TEST_CASE("the account of held nodes that move closes, through damping, breaking and contact") {
+  // A bar pulled apart by its ends, with a second one in its way.
+  tests::Block shape = soft();
+  shape.dampingTime = GENERATE(0.0, 1e-4);
+  const bool breaks = GENERATE(false, true);
+  if (breaks) shape.material.thresholdMean = 0.05;
+  Scene scene{.blueprint = tests::twoBlocks(shape, 1.1, 0.0)};
+  for (sim::Blueprint::Node& node : scene.blueprint.nodes) {
+    if (node.position.z() != 0.0 && node.position.z() != 4.0) continue;
+    node.mass = std::numeric_limits<double>::infinity();
+    node.velocity = Vec3(0.0, 10.0, node.position.z() > 0.0 ? 40.0 : -40.0);
+  }
+  checkSecondOrder(scene);
+  const Account account = accountOf(scene, 1.0);
+  CHECK(account.end.outsideWork > 0.5 * account.scale);
+  CHECK((account.end.released > 0.0) == breaks);
 }
 
 TEST_CASE("stiffness that comes back all at once gives what it holds and no more") {
