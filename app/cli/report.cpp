@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <thread>
+
+#include <tbb/info.h>
 
 #include "modeling/scene/json_text.h"
 #include "modeling/scene/text_file.h"
@@ -56,7 +57,7 @@ Json workJson(const sim::Work& work) {
 }
 
 int threadsUsed(int asked) {
-  return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return asked > 0 ? asked : tbb::info::default_concurrency();
 }
 
 }  // namespace

@@ -60,12 +60,9 @@ sim::Result<Resumable> readTake(const std::string& file) {
 
 ExitStatus resume(const ResumeOptions& options) {
   const Stopwatch stopwatch;
+  if (const sim::Status status = checkReportFile(options.report); !status) return complain(status.problem());
   sim::Result<Resumable> from = readTake(options.take);
   if (!from) return complain(from.problem());
-  auto take = from->frame ? sim::TakeWriter::continueAfter(options.take, *from->frame)
-                          : sim::TakeWriter::create(options.take, from->header, from->network);
-  if (!take) return complain(take.problem());
-
   modeling::Conditions conditions = modeling::conditionsOf(from->scene, from->network.materials);
   conditions.settings.threads = options.threads;
   auto simulation = sim::Simulation::create(std::move(from->network), std::move(conditions.environment),
@@ -75,6 +72,11 @@ ExitStatus resume(const ResumeOptions& options) {
     if (const sim::Status status = (*simulation)->restore(from->checkpoint); !status)
       return complain(status.problem());
   }
+  // Last, because it cuts off what stands behind the checkpoint.
+  auto take = from->frame ? sim::TakeWriter::continueAfter(options.take, *from->frame)
+                          : sim::TakeWriter::create(options.take, from->header, (*simulation)->network());
+  if (!take) return complain(take.problem());
+
   Recorder recorder(**simulation, take->get(), from->header.framesPerSecond);
   recorder.takeOver(from->events);
   if (!from->frame) {

@@ -4,6 +4,7 @@
 
 #include "app/cli/progress.h"
 #include "app/cli/report.h"
+#include "modeling/scene/text_file.h"
 
 namespace app {
 namespace {
@@ -16,6 +17,10 @@ std::string progressText(const sim::Simulation& simulation, double until) {
 }
 
 }  // namespace
+
+sim::Status checkReportFile(const std::string& file) {
+  return file.empty() ? sim::Status(sim::Done{}) : modeling::checkReplaceable(file);
+}
 
 ExitStatus runAndReport(sim::Simulation& simulation, Recorder& recorder, const Stopwatch& stopwatch,
                         const RunningOptions& options) {

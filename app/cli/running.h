@@ -16,6 +16,9 @@ struct RunningOptions {
   std::string reportFile;  ///< "": none
 };
 
+/// Whether a report can be written there, asked before a long run rather than after it. "" is no report.
+sim::Status checkReportFile(const std::string& file);
+
 /// Runs to the end with progress, writes the report, prints the summary. The answer is failed when the
 /// simulation blew up or the disk filled; take and report then hold everything up to there.
 ExitStatus runAndReport(sim::Simulation& simulation, Recorder& recorder, const Stopwatch& stopwatch,

@@ -34,26 +34,28 @@ sim::TakeHeader headerOf(const modeling::Scene& scene) {
 
 ExitStatus simulate(const SimulateOptions& options) {
   const Stopwatch stopwatch;
+  if (const sim::Status status = checkReportFile(options.report); !status) return complain(status.problem());
   const sim::Result<modeling::SceneFile> file = options.scene.load();
   if (!file) return complain(file.problem());
   const modeling::Scene& scene = file->scene;
   sim::Result<modeling::BuiltScene> built =
       modeling::build(scene, std::filesystem::path(options.scene.scene).parent_path());
   if (!built) return complain(file->located(built.problem()));
-  for (const std::string& warning : built->warnings) std::cerr << "note: " << warning << '\n';
 
-  std::unique_ptr<sim::TakeWriter> take;
-  if (!options.take.empty()) {
-    auto created = sim::TakeWriter::create(options.take, headerOf(scene), built->network);
-    if (!created) return complain(created.problem());
-    take = std::move(created).value();
-  }
   modeling::Conditions& conditions = built->conditions;
   conditions.settings.threads = options.threads;
   auto simulation = sim::Simulation::create(std::move(built->network), std::move(conditions.environment),
                                             std::move(conditions.tracks), conditions.settings);
   if (!simulation) return complain(file->located(simulation.problem()));
 
+  // Last, because it replaces what was recorded before: by now the run is sure to begin.
+  std::unique_ptr<sim::TakeWriter> take;
+  if (!options.take.empty()) {
+    auto created = sim::TakeWriter::create(options.take, headerOf(scene), (*simulation)->network());
+    if (!created) return complain(created.problem());
+    take = std::move(created).value();
+  }
+  for (const std::string& warning : built->warnings) std::cout << "note          " << warning << '\n';
   Recorder recorder(**simulation, take.get(), scene.output.fps);
   if (const sim::Status begun = recorder.begin(); !begun)
     return complain(begun.problem(), ExitStatus::failed);

@@ -15,6 +15,9 @@ sim::Result<std::string> readTextFile(const std::filesystem::path& file, std::ui
 /// Replaces the file in one step: whatever happens, the old text or the new one is there, whole.
 sim::Status replaceTextFile(const std::filesystem::path& file, std::string_view text);
 
+/// Whether replaceTextFile() would find a folder it can write to.
+sim::Status checkReplaceable(const std::filesystem::path& file);
+
 /// 32 hexadecimal digits that tell texts apart.
 std::string textHash(std::string_view text);
 

@@ -137,6 +137,7 @@ TEST_CASE("a wrong input ends with status 2 and one line that says where and how
        "--set output.fsp:1:1: there is no key \"fsp\" here; did you mean \"fps\""},
       {"simulate " + scene + " --threads -3", "command line: "},
       {"simulate " + scene + " --take /nowhere/x.take", "/nowhere/x.take"},
+      {"simulate " + scene + " --report /nowhere/r.json", "/nowhere/r.json: this file cannot be written"},
       {"simulate " + folder.file("none.json"),
        folder.file("none.json") + ":1:1: there is no such file; check the path"},
       {"simulate", "command line: scene is required; see smithereens-cli --help"},
@@ -165,6 +166,14 @@ TEST_CASE("a problem found while building is told by line and column, too") {
   INFO(answer.errors);
   CHECK(answer.status == 2);
   CHECK(answer.errors.starts_with(folder.scene() + ":3:"));
+}
+
+TEST_CASE("a run that cannot begin leaves an older take alone") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "run", "").status == 0);
+  const auto size = std::filesystem::file_size(folder.file("run.take"));
+  CHECK(simulate(folder, "run", "--method forward-euler --set materials.biscuit.lossFactor=0").status == 2);
+  CHECK(std::filesystem::file_size(folder.file("run.take")) == size);
 }
 
 TEST_CASE("a blow-up ends with status 1, names its cause, and keeps what was recorded") {
