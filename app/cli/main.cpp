@@ -1,3 +1,4 @@
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -43,6 +44,11 @@ ExitStatus runProgram(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef SIGXFSZ
+  // A file that may grow no further is a problem to be told of, as a full disk is, not the end of the
+  // process.
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
   try {
     return static_cast<int>(runProgram(argc, argv));
   } catch (const std::bad_alloc&) {

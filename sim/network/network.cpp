@@ -42,8 +42,8 @@ std::optional<std::string> checkBonds(const Network& network) {
     return "the rows of bonds do not cover the bonds";
   }
   for (std::size_t a = 0; a < nodes; ++a) {
-    if (network.firstBond[a] > network.firstBond[a + 1])
-      return numbered("node", a, "has a row of bonds of negative length");
+    if (network.firstBond[a] > network.firstBond[a + 1] || network.firstBond[a + 1] > bonds)
+      return numbered("node", a, "has a row of bonds that is none");
     NodeIndex previous = static_cast<NodeIndex>(a);
     for (BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
       if (network.bondEnds[b] <= previous) return numbered("bond", b, "is out of order or stands twice");
