@@ -41,7 +41,8 @@ void HashGrid::build(const NodeVectors& positions, std::span<const FragmentId> f
   cubeOfNode_.resize(count);
   for (std::size_t node = 0; node < count; ++node) {
     const auto along = [&](std::size_t k) {
-      return static_cast<std::int64_t>(std::floor(positions.axis(k)[node] / edge));
+      return static_cast<std::uint64_t>(
+          static_cast<std::int64_t>(std::floor(positions.axis(k)[node] / edge)));
     };
     const std::uint32_t cube = findOrAdd(placeOf(along(0), along(1), along(2)), fragmentOfNode[node]);
     cubeOfNode_[node] = cube;

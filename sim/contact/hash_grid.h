@@ -70,13 +70,14 @@ class HashGrid {
   static constexpr int kBits = 21;
   static constexpr std::uint64_t kMask = (1ULL << kBits) - 1;
 
-  static Place placeOf(std::int64_t x, std::int64_t y, std::int64_t z) {
-    return (static_cast<std::uint64_t>(x) & kMask) | (static_cast<std::uint64_t>(y) & kMask) << kBits |
-           (static_cast<std::uint64_t>(z) & kMask) << (2 * kBits);
+  static Place placeOf(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+    return (x & kMask) | (y & kMask) << kBits | (z & kMask) << (2 * kBits);
   }
+  /// Unsigned, so that coordinates wrap round where signed ones would overflow.
   static Place shifted(Place at, const std::array<std::int64_t, 3>& step) {
-    return placeOf(static_cast<std::int64_t>(at) + step[0], static_cast<std::int64_t>(at >> kBits) + step[1],
-                   static_cast<std::int64_t>(at >> (2 * kBits)) + step[2]);
+    return placeOf(at + static_cast<std::uint64_t>(step[0]),
+                   (at >> kBits) + static_cast<std::uint64_t>(step[1]),
+                   (at >> (2 * kBits)) + static_cast<std::uint64_t>(step[2]));
   }
 
   std::uint32_t find(Place at) const;
