@@ -113,7 +113,7 @@ struct Gluing {
   double reach = 0.0;                                ///< cm; not read where pairs are given
   std::vector<std::array<sim::NodeIndex, 2>> pairs;  ///< node of a, node of b
   std::vector<sim::NodeIndex> exclude;               ///< nodes of a that stay free
-  std::optional<Box> region;                         ///< coordinates of part a: only its nodes inside are glued
+  std::optional<Box> region;  ///< coordinates of part a: only its nodes inside are glued
 
   bool operator==(const Gluing&) const = default;
 };
