@@ -60,7 +60,7 @@ class CoreNumbering {
           if (owns(sector, a, b)) entries.push_back(entry(sector, a, b));
     std::sort(entries.begin(), entries.end(),
               [](const Entry& p, const Entry& q) { return std::tie(p.y, p.x) < std::tie(q.y, q.x); });
-    const auto side = static_cast<std::size_t>(layout.core + 1);
+    const auto side = static_cast<std::size_t>(layout.core) + 1;
     ids_.resize(static_cast<std::size_t>(layout.sectors) * side * side);
     for (std::size_t id = 0; id < entries.size(); ++id)
       ids_[key(entries[id].sector, entries[id].a, entries[id].b)] = static_cast<std::uint32_t>(id);
@@ -85,8 +85,9 @@ class CoreNumbering {
     return sector + 1 == layout_.sectors && !layout_.full();
   }
   std::size_t key(int sector, int a, int b) const {
-    const int side = layout_.core + 1;
-    return static_cast<std::size_t>((sector * side + a) * side + b);
+    const auto side = static_cast<std::size_t>(layout_.core) + 1;
+    return (static_cast<std::size_t>(sector) * side + static_cast<std::size_t>(a)) * side +
+           static_cast<std::size_t>(b);
   }
   static Entry entry(int sector, int a, int b) {
     switch (sector % 4) {
