@@ -23,7 +23,7 @@ modeling::Scene slabScene(int x, int y, int z);
 /// the work.
 modeling::Scene looseCubesScene(int count);
 
-/// From small to large; with the 20,000-node teapot of resources/scenes.
+/// From small to large; with the finer teapot of resources/scenes.
 sim::Result<std::vector<Body>> throughputBodies();
 
 /// The body, built and ready to step.
