@@ -84,7 +84,8 @@ modeling::Scene looseCubesScene(int count) {
 sim::Result<std::vector<Body>> throughputBodies() {
   std::vector<Body> bodies;
   bodies.push_back({"tube, 3,700 nodes", tubeScene(60, 30)});
-  const auto teapot = modeling::loadScene(modeling::resourcesFolder() / "scenes" / "teapot-drop-fine.scene.json");
+  const auto teapot =
+      modeling::loadScene(modeling::resourcesFolder() / "scenes" / "teapot-drop-fine.scene.json");
   if (!teapot) return teapot.problem();
   bodies.push_back({"teapot, 17,000 nodes", teapot->scene});
   bodies.push_back({"tube, 60,000 nodes", tubeScene(200, 150)});

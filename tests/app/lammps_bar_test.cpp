@@ -65,7 +65,7 @@ TEST_CASE("the bar moves as LAMMPS moves it") {
   const std::string folder = tests::freshFolder("smithereens-bar");
   const std::string take = folder + "/bar.take";
   // Every thousandth step is a frame; the first one is not needed: its force is that of the file.
-  const auto run = tests::runCli("simulate " + kBar + "bar.scene.json --until 5 --fps 2 --take " + take);
+  const auto run = tests::runCli("simulate \"" + kBar + "bar.scene.json\" --until 5 --fps 2 --take " + take);
   INFO(run.errors);
   REQUIRE(run.status == 0);
   REQUIRE(tests::runCli("export " + take + " --format xyz --out " + folder + "/bar.xyz").status == 0);
@@ -81,7 +81,7 @@ TEST_CASE("with enough frames a second every step is one, and states its time") 
   const std::string folder = tests::freshFolder("smithereens-steps");
   const std::string take = folder + "/bar.take";
   REQUIRE(
-      tests::runCli("simulate " + kBar + "bar.scene.json --until 0.005 --fps 1e6 --take " + take).status ==
+      tests::runCli("simulate \"" + kBar + "bar.scene.json\" --until 0.005 --fps 1e6 --take " + take).status ==
       0);
   REQUIRE(tests::runCli("export " + take + " --format xyz --out " + folder + "/bar.xyz").status == 0);
   auto frames = exported(folder + "/bar.xyz");

@@ -39,7 +39,7 @@ Answer runCli(const std::string& arguments) {
 #else
   const std::string limit = "ulimit -v 1048576; ";
 #endif
-  return runCommand(limit + SMITHEREENS_CLI " " + arguments);
+  return runCommand(limit + "\"" SMITHEREENS_CLI "\" " + arguments);
 }
 
 std::string freshFolder(const std::string& name) {
