@@ -80,9 +80,8 @@ TEST_CASE("the bar moves as LAMMPS moves it") {
 TEST_CASE("with enough frames a second every step is one, and states its time") {
   const std::string folder = tests::freshFolder("smithereens-steps");
   const std::string take = folder + "/bar.take";
-  REQUIRE(
-      tests::runCli("simulate \"" + kBar + "bar.scene.json\" --until 0.005 --fps 1e6 --take " + take).status ==
-      0);
+  REQUIRE(tests::runCli("simulate \"" + kBar + "bar.scene.json\" --until 0.005 --fps 1e6 --take " + take)
+              .status == 0);
   REQUIRE(tests::runCli("export " + take + " --format xyz --out " + folder + "/bar.xyz").status == 0);
   auto frames = exported(folder + "/bar.xyz");
   CHECK(frames.size() == 11);
