@@ -206,7 +206,7 @@ TEST_CASE("info says what a scene will be before it runs") {
 }
 
 TEST_CASE("info counts the bonds that would break before anything moves") {
-  const std::string scene = SMITHEREENS_SOURCE_DIR "/tests/data/lammps-bar/bar.scene.json";
+  const std::string scene = "\"" SMITHEREENS_SOURCE_DIR "/tests/data/lammps-bar/bar.scene.json\"";
   const PlateFolder folder;
   std::ofstream(folder.file("pair.data"))
       << "two nodes\n\n2 atoms\n1 bonds\n\nMasses\n\n1 1\n\nAtoms\n\n1 1 1 0 0 0\n"
