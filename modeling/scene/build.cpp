@@ -169,6 +169,7 @@ sim::Settings settingsOf(const Solver& solver) {
   settings.step = solver.step.seconds;
   settings.safety = solver.safety;
   settings.seed = solver.seed;
+  settings.skip = solver.skip;
   settings.contact.between = solver.contact.between;
   settings.contact.self = solver.contact.self;
   settings.contact.length = solver.contact.length;

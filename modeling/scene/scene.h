@@ -207,6 +207,7 @@ struct Solver {
   Step step;
   double safety = sim::Settings{}.safety;
   Contact contact;
+  sim::SkipSettings skip;
   std::uint64_t seed = sim::Settings{}.seed;
 
   bool operator==(const Solver&) const = default;

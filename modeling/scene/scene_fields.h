@@ -274,6 +274,20 @@ struct Fields<Contact> {
 };
 
 template <>
+struct Fields<sim::SkipSettings> {
+  static constexpr auto list() {
+    using T = sim::SkipSettings;
+    return std::tuple{field("sleep", &T::sleep, "Fragments at rest, until something wakes them."),
+                      field("rigid", &T::rigid, "Deformation of fragments that fly freely and unstrained."),
+                      field("contactSearch", &T::contactSearch, "Where nothing is near anything."),
+                      field("labelling", &T::labelling, "Fragments where nothing broke."),
+                      field("thresholds", &T::thresholds, "Tests of bonds that cannot break."),
+                      field("damping", &T::damping, "Dampers of no strength."),
+                      field("ledger", &T::ledger, "The account of energy while nobody reads it.")};
+  }
+};
+
+template <>
 struct Fields<Solver> {
   static constexpr auto list() {
     using T = Solver;
@@ -281,6 +295,7 @@ struct Fields<Solver> {
                       field("step", &T::step, "Seconds, or auto.").above(0),
                       field("safety", &T::safety, "Share of the largest stable step.").above(0).atMost(0.9),
                       field("contact", &T::contact, "Between nodes."),
+                      field("skip", &T::skip, "What may be left out where a scene does not need it."),
                       field("seed", &T::seed, "Of the random thresholds.")};
   }
 };

@@ -73,7 +73,8 @@ struct KernelStep {
   double kick = 0.0;   ///< s
   double drift = 0.0;  ///< s
   bool driftByOldVelocity = false;
-  bool flowing = false;  ///< let rest lengths flow in this pass
+  bool flowing = false;           ///< let rest lengths flow in this pass
+  bool accelerationOnly = false;  ///< write a (cm/s^2) to nextVelocity and leave positions alone
   const MaterialNow* materials;
 };
 

@@ -154,6 +154,10 @@ inline Real moveAxis(const KernelStep& step, int axis, std::size_t node, const R
                      Real& speedSquared) {
   Real acceleration = (force + lossy) * inverseMass + step.gravity[axis];
   where(inverseMass == 0.0, acceleration) = 0.0;
+  if (step.accelerationOnly) {
+    acceleration.copy_to(step.nextVelocity[axis] + node, stdx::element_aligned);
+    return 0.0;
+  }
   const Real next = velocity + step.kick * acceleration;
   const Real moved = position + step.drift * (step.driftByOldVelocity ? velocity : next);
   next.copy_to(step.nextVelocity[axis] + node, stdx::element_aligned);

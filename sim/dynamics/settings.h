@@ -32,11 +32,26 @@ struct ContactSettings {
   double friction = 0.4;        ///< lateral force relative to k (rho - x) (P10)
 };
 
+/// What is left out where a scene does not need it (B4). Switched off, the same is computed in full, to
+/// compare.
+struct SkipSettings {
+  bool sleep = true;          ///< fragments at rest, until something wakes them
+  bool rigid = true;          ///< deformation of fragments that fly freely with no strain to speak of
+  bool contactSearch = true;  ///< where boxes of fragments and colliders are not near each other
+  bool labelling = true;      ///< fragments where nothing broke
+  bool thresholds = true;     ///< tests of bonds that cannot break
+  bool damping = true;        ///< dampers of no strength
+  bool ledger = true;         ///< the account of energy between the moments at which it is read
+
+  bool operator==(const SkipSettings&) const = default;
+};
+
 struct Settings {
   Method method = Method::velocityVerlet;
   std::optional<double> step;  ///< s; absent: automatic and stable (docs/numerics.md)
   double safety = 0.5;         ///< s of dt = s (2/omega)...; at most 0.9
   ContactSettings contact;
+  SkipSettings skip;
   std::uint64_t seed = 1;  ///< of the thresholds
   int threads = 0;         ///< 0: all there are. Results do not depend on it
 };

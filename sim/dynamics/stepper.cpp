@@ -152,7 +152,8 @@ void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& report
                  [&](std::size_t begin, std::size_t end) { kernel_(step, begin, end, reports.data()); });
 }
 
-Status Stepper::stepInArena() {
+/// Forces at the beginning of the step, and the move they make; afterwards next_ holds the state before.
+Result<double> Stepper::moveByLeapfrog() {
   if (contacts_.quiet()) {
     Contacts::clear(forces_);
   } else {
@@ -170,15 +171,20 @@ Status Stepper::stepInArena() {
   runKernel(step, reports_);
   double travel = 0.0;
   const Status healthy = readReports(travel);
-  if (!healthy) return healthy;
-
+  if (!healthy) return healthy.problem();
   std::swap(now_, next_);
+  return travel;
+}
+
+Status Stepper::stepInArena() {
+  const Result<double> travel = moveByLeapfrog();
+  if (!travel) return travel.problem();
   lastStep_ = step_;
   ++segmentSteps_;
   ++work_.steps;
   work_.bondsEvaluated += network_.bondCount() - breakage_.brokenBondCount();
   work_.bondsSkipped += breakage_.brokenBondCount();
-  contacts_.age(now_, travel);
+  contacts_.age(now_, *travel);
   breakOverstretched();
   applyControls();
   refreshContacts();

@@ -61,6 +61,8 @@ class Stepper {
 
  private:
   Status stepInArena();
+  /// Moves now_ one step on; gives how far a node went at most, cm.
+  Result<double> moveByLeapfrog();
   void applyControls();
   void refreshContacts();
   void finishKick();
