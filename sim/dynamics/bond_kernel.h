@@ -68,6 +68,9 @@ struct KernelStep {
   const double* external[3];        ///< dyn, of contacts and colliders
   const double* externalLossy[3];   ///< the part of `external` that is not conservative
   const std::uint8_t* hasExternal;  ///< one byte a block
+  /// Bit a lane: its bonds are evaluated. Both ends of a bond are, or neither. A node that is not awake has
+  /// no velocity here and an inverse mass of zero, so that it stays where it is.
+  const std::uint16_t* awake;
 
   double gravity[3];
   double kick = 0.0;   ///< s

@@ -173,8 +173,9 @@ inline void stepLanes(const KernelStep& step, std::size_t block, std::size_t lan
   Gathered sum;
   const BondSlot* slot = step.slots + step.firstSlot[block];
   const BondSlot* const end = slot + step.slotCount[block];
+  const unsigned awake = step.awake[block];
   for (; slot != end; ++slot) {
-    const unsigned bits = (static_cast<unsigned>(slot->live) >> lane) & kAllLanes;
+    const unsigned bits = ((slot->live & awake) >> lane) & kAllLanes;
     if (bits == 0) continue;
     if (slot->gathered) {
       addSlot<true>(step, *slot, node, lane, bits, position, velocity, sum);

@@ -40,7 +40,12 @@ struct BreakEvent {
   CellIndex cell = kNone;  ///< the broken cell that took it along (P15); kNone: its own threshold was passed
 };
 
-enum class FragmentState : std::uint8_t { deforming };
+enum class FragmentState : std::uint8_t {
+  deforming,  ///< its bonds pull: the lattice is computed
+  rigid,      ///< flies freely as it is
+  asleep,     ///< stays where it is until something wakes it
+};
+inline constexpr std::size_t kFragmentStates = 3;
 
 /// A connected component from its birth on.
 struct Fragment {

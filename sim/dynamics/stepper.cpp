@@ -35,6 +35,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       layout_(network_),
       breakage_(network_),
       components_(network_, layout_),
+      activity_(network_, components_),
       contacts_(network_, settings.contact),
       controls_(network_, std::move(environment), std::move(tracks)),
       ledger_(network_),
@@ -137,19 +138,27 @@ KernelStep Stepper::kernelStep(const Motion& from, Motion& to) const {
     step.gravity[k] = controls_.gravity()[static_cast<Eigen::Index>(k)];
   }
   step.inverseMass = inverseMasses_.data();
+  step.awake = activity_.awakeLanes().data();
   step.hasExternal = forces_.touched.data();
   step.materials = controls_.materials().data();
   return step;
 }
 
 void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const {
-  const std::size_t blocks = layout_.blockCount();
-  if (blocks <= kBlockGrain) {
-    kernel_(step, 0, blocks, reports.data());
-    return;
+  const std::span<const std::uint32_t> blocks = activity_.activeBlocks();
+  const auto run = [&](std::size_t begin, std::size_t end) {
+    while (begin < end) {
+      std::size_t next = begin + 1;
+      while (next < end && blocks[next] == blocks[next - 1] + 1) ++next;
+      kernel_(step, blocks[begin], blocks[next - 1] + 1, reports.data());
+      begin = next;
+    }
+  };
+  if (blocks.size() <= kBlockGrain) {
+    run(0, blocks.size());
+  } else {
+    parallelRanges(blocks.size(), kBlockGrain, Sharing::even, run);
   }
-  parallelRanges(blocks, kBlockGrain, Sharing::even,
-                 [&](std::size_t begin, std::size_t end) { kernel_(step, begin, end, reports.data()); });
 }
 
 /// Forces at the beginning of the step, and the move they make; afterwards next_ holds the state before.
@@ -194,7 +203,8 @@ Status Stepper::stepInArena() {
 Status Stepper::readReports(double& travel) {
   double fastest = 0.0;
   double dissipated = 0.0;
-  for (const BlockReport& report : reports_) {
+  for (const std::uint32_t block : activity_.activeBlocks()) {
+    const BlockReport& report = reports_[block];
     dissipated += report.dissipated;
     if (!(report.largestSpeedSquared <= fastest)) fastest = report.largestSpeedSquared;
     if (!(report.largestSpeedSquared < kLightSpeedSquared)) return blowUp("is faster than light");

@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "sim/dynamics/activity.h"
 #include "sim/dynamics/controls.h"
 #include "sim/dynamics/ledger.h"
 #include "sim/dynamics/simulation.h"
@@ -74,6 +75,7 @@ class Stepper {
   void setStep(double step);
   /// s: how long this step's forces act on the velocities.
   double kick() const;
+  /// Of the lanes that deform.
   KernelStep kernelStep(const Motion& from, Motion& to) const;
   void runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const;
   /// Sums the blocks' reports; a Problem when a speed is not finite.
@@ -93,6 +95,7 @@ class Stepper {
   BondLayout layout_;
   Breakage breakage_;
   Components components_;
+  Activity activity_;
   Contacts contacts_;
   Controls controls_;
   Ledger ledger_;

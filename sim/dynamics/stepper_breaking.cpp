@@ -16,7 +16,7 @@ float Stepper::strainBefore(BondIndex bond) const {
 /// The exact test, for the rows of suspect blocks only.
 std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
   std::vector<Breakage::Overstretched> found;
-  for (std::size_t block = 0; block < reports_.size(); ++block) {
+  for (const std::size_t block : activity_.activeBlocks()) {
     if (!reports_[block].suspect) continue;
     const std::size_t end = std::min(network_.nodeCount(), (block + 1) * kBlockNodes);
     for (std::size_t node = block * kBlockNodes; node < end; ++node) {
@@ -56,7 +56,10 @@ void Stepper::breakOverstretched() {
       overstretched, time() - step_, [&](BondIndex bond) { return strainBefore(bond); }, events_);
   const std::span<const BreakEvent> fresh = std::span<const BreakEvent>(events_).subspan(before);
   for (const BreakEvent& event : fresh) loseBond(event);
-  if (components_.relabel(layout_, fresh, time())) contacts_.noteBirths();
+  if (components_.relabel(layout_, fresh, time())) {
+    activity_.noteBirths(components_);
+    contacts_.noteBirths();
+  }
   work_.labelings = components_.relabelings();
 }
 

@@ -66,7 +66,7 @@ Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces
   const double share = halfKick / kick();
   Present present{std::move(ahead.velocity), share * work.dissipated,
                   share * work.outside + carryingWork(forces, halfKick)};
-  for (const BlockReport& report : reports) present.dissipated += report.dissipated;
+  for (const std::uint32_t block : activity_.activeBlocks()) present.dissipated += reports[block].dissipated;
   return present;
 }
 

@@ -162,6 +162,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   layout_.setPlasticRestLengths(restLengths);
   breakage_.restore(std::move(brokenBonds), std::move(brokenCells));
   components_.restore(std::move(fragmentOfNode), std::move(fragments), work_.labelings);
+  activity_.restore(std::vector(components_.births().size(), FragmentState::deforming), components_);
   controls_.moveTo(controlsTime_);
   controls_.setFlow(network_, step_);
   events_.clear();
@@ -171,7 +172,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
 std::size_t Stepper::memoryBytes() const {
   const std::size_t motion = 4 * now_.position.memoryBytes() + 2 * forces_.total.memoryBytes();
   return sizeof(*this) + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() +
-         components_.memoryBytes() + contacts_.memoryBytes() + motion +
+         components_.memoryBytes() + activity_.memoryBytes() + contacts_.memoryBytes() + motion +
          inverseMasses_.capacity() * sizeof(double) + reports_.capacity() * sizeof(BlockReport) +
          forces_.touched.capacity() + events_.capacity() * sizeof(BreakEvent);
 }

@@ -84,6 +84,7 @@ Outcome stepsOf(KernelKind kind, const sim::Network& network, bool oldVelocity) 
   for (std::size_t m = 0; m < materials.size(); ++m)
     materials[m] = {1.1, 0.9, network.materials[m].yieldStrain, 0.1};
   std::vector<sim::BlockReport> reports(layout.blockCount());
+  const std::vector<std::uint16_t> awake(layout.blockCount(), 0xffff);
   Outcome outcome;
   for (std::size_t n = 0; n < 20; ++n) {
     const sim::Motion& from = motion[n % 2];
@@ -100,6 +101,7 @@ Outcome stepsOf(KernelKind kind, const sim::Network& network, bool oldVelocity) 
     }
     step.inverseMass = inverseMass.data();
     step.hasExternal = touched.data();
+    step.awake = awake.data();
     step.gravity[2] = -981.0;
     step.kick = step.drift = 1e-4;
     step.driftByOldVelocity = oldVelocity;
