@@ -53,6 +53,8 @@ Json workJson(const sim::Work& work) {
           {"contact_pairs", work.contactPairs},
           {"neighbour_lists", work.neighbourLists},
           {"labelings", work.labelings},
+          {"bonds_rigid", work.bondsRigid},
+          {"bonds_asleep", work.bondsAsleep},
           {"steps_rigid", work.stepsRigid}};
 }
 

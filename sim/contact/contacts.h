@@ -63,6 +63,26 @@ class Contacts {
   /// No row can push: nothing to do this step.
   bool quiet() const { return rows_.empty() && fresh_.empty(); }
 
+  /// Calls visit(i, j), i < j, for each two nodes that may push each other before the next rebuild.
+  template <class Visit>
+  void forEachNearPair(Visit&& visit) const {
+    for (const Row& row : rows_) {
+      for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
+        if (row.node < entries_[e].other) visit(row.node, entries_[e].other);
+      }
+    }
+    for (const BrokenPair& pair : fresh_) visit(pair.a, pair.b);
+  }
+  /// Calls visit(node, collider) for each node that may be pushed by a collider before the next rebuild.
+  template <class Visit>
+  void forEachNearCollider(Visit&& visit) const {
+    for (const Row& row : rows_) {
+      for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) visit(row.node, nearColliders_[c]);
+    }
+  }
+  /// The next age() by such a travel (cm) may look at all positions.
+  bool looksAfter(double travel) const { return stepsToRebuild_ > 0 || stale_ || slack_ - travel <= 0.0; }
+
   struct Forces {
     NodeVectors total;  ///< dyn
     NodeVectors lossy;  ///< the part that is not conservative: contact damping and friction, dyn

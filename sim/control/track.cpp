@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace sim {
 namespace {
@@ -38,6 +39,15 @@ Vec3 Track::slopeAt(double time) const {
   const double share = (time - from.time) / span;
   const double ease = interpolation == Interpolation::smooth ? 6.0 * share * (1.0 - share) : 1.0;
   return ease / span * (to.value - from.value);
+}
+
+double Track::constantUntil(double time) const {
+  assert(!keys.empty());
+  if (time < keys.front().time) return keys.front().time;
+  const std::size_t before = keyBefore(keys, time);
+  if (before + 1 == keys.size()) return std::numeric_limits<double>::infinity();
+  const bool holds = interpolation == Interpolation::step || keys[before].value == keys[before + 1].value;
+  return holds ? keys[before + 1].time : time;
 }
 
 }  // namespace sim

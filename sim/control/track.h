@@ -34,6 +34,8 @@ struct Track {
   Vec3 valueAt(double time) const;
   /// Time derivative; zero for `step`.
   Vec3 slopeAt(double time) const;
+  /// The value is the same from `time` until then at least, s; infinite after the last key.
+  double constantUntil(double time) const;
 };
 
 }  // namespace sim

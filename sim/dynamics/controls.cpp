@@ -31,6 +31,7 @@ Controls::Controls(const Network& network, Environment environment, std::vector<
       materials_(network.materials.size()) {
   for (const Collider& collider : environment_.colliders)
     colliders_.push_back({collider, Vec3::Zero(), Vec3::Zero()});
+  moved_.assign(colliders_.size(), 0);
   for (std::size_t m = 0; m < materials_.size(); ++m)
     materials_[m].yieldStrain = network.materials[m].yieldStrain;
 }
@@ -68,6 +69,7 @@ Controls::Change Controls::moveTo(double time) {
 
 bool Controls::moveColliders(double time) {
   colliderTravel_ = 0.0;
+  std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
   bool leapt = false;
   for (const Track& track : tracks_) {
     const bool shifts = track.target == TrackTarget::colliderPosition;
@@ -92,10 +94,17 @@ bool Controls::moveColliders(double time) {
       if (before.coeffs() != collider.shape.rotation.coeffs())
         travel = before.angularDistance(collider.shape.rotation) * reachOf(collider.shape);
     }
+    if (travel > 0.0) moved_[track.object] = 1;
     leapt |= travel > 0.0 && track.interpolation == Interpolation::step;
     colliderTravel_ = std::max(colliderTravel_, travel);
   }
   return leapt;
+}
+
+double Controls::constantUntil(double time) const {
+  double until = std::numeric_limits<double>::infinity();
+  for (const Track& track : tracks_) until = std::min(until, track.constantUntil(time));
+  return until;
 }
 
 void Controls::setFlow(const Network& network, double step) {

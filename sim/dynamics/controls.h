@@ -29,6 +29,10 @@ class Controls {
   void setFlow(const Network& network, double step);
   /// How far the last moveTo() moved any point of a collider at most, cm.
   double colliderTravel() const { return colliderTravel_; }
+  /// Whether the last moveTo() moved this collider.
+  bool moved(std::size_t collider) const { return moved_[collider] != 0; }
+  /// Nothing changes from `time` until then, s.
+  double constantUntil(double time) const;
   double largestStiffnessScale() const;
   double largestDampingScale() const;
 
@@ -41,6 +45,7 @@ class Controls {
   Vec3 gravity_;
   std::vector<MovingCollider> colliders_;
   std::vector<MaterialNow> materials_;
+  std::vector<std::uint8_t> moved_;  ///< by collider
   double colliderTravel_ = 0.0;
 };
 

@@ -19,7 +19,7 @@ double slotEnergy(const KernelStep& step, const BondSlot& slot, std::size_t bloc
   double sum = 0.0;
   const MaterialNow& material = step.materials[slot.material];
   for (unsigned lane = 0; lane < kBlockNodes; ++lane) {
-    if (((static_cast<unsigned>(slot.live) >> lane) & 1U) == 0) continue;
+    if (((static_cast<unsigned>(slot.live & step.awake[block]) >> lane) & 1U) == 0) continue;
     const std::size_t node = block * kBlockNodes + lane;
     const std::size_t other = slot.gathered
                                   ? step.gathers[slot.gather + lane]
@@ -42,6 +42,7 @@ double elasticEnergy(const KernelStep& step, std::size_t blockCount) {
   std::vector<double> ofBlock(blockCount, 0.0);
   parallelRanges(blockCount, 64, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
+      if (step.awake[block] == 0) continue;
       const BondSlot* const first = step.slots + step.firstSlot[block];
       for (const BondSlot* slot = first; slot != first + step.slotCount[block]; ++slot)
         ofBlock[block] += slotEnergy(step, *slot, block);

@@ -8,7 +8,8 @@
 
 namespace sim {
 
-/// Energy in intact bonds, erg; `step` describes the layout. Summed block by block in order.
+/// Energy in intact bonds of lanes that are awake, erg; `step` describes the layout. Summed block by block in
+/// order.
 double elasticEnergy(const KernelStep& step, std::size_t blockCount);
 
 /// The account of energy (B3): what flowed where since the start, and whether it adds up.

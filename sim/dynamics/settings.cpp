@@ -19,4 +19,9 @@ std::string_view nameOf(Method method) {
   return methodNames()[static_cast<std::size_t>(method)];
 }
 
+bool isLeapfrog(Method method) {
+  return method == Method::forwardEuler || method == Method::symplecticEuler ||
+         method == Method::velocityVerlet;
+}
+
 }  // namespace sim

@@ -14,6 +14,8 @@ enum class Method { forwardEuler, symplecticEuler, velocityVerlet };
 /// "forward-euler", "symplectic-euler", "velocity-verlet"; nothing for any other name.
 std::optional<Method> methodFromName(std::string_view name);
 std::string_view nameOf(Method method);
+/// Of the leapfrog family: one force a step, velocities kicked, positions drifted.
+bool isLeapfrog(Method method);
 /// All names, for messages and help.
 const std::vector<std::string>& methodNames();
 

@@ -97,6 +97,7 @@ std::uint64_t Simulation::brokenBondCount() const {
   return state_->stepper.breakage().brokenBondCount();
 }
 std::uint64_t Simulation::stateHash() const {
+  state_->stepper.placeAll();
   return state_->stepper.stateHash();
 }
 double Simulation::maxRise() const {
@@ -115,6 +116,7 @@ std::size_t Simulation::memoryBytes() const {
   return state_->stepper.memoryBytes();
 }
 std::vector<std::byte> Simulation::checkpoint() const {
+  state_->stepper.placeAll();
   return state_->stepper.checkpoint();
 }
 Status Simulation::restore(std::span<const std::byte> checkpoint) {
@@ -122,6 +124,7 @@ Status Simulation::restore(std::span<const std::byte> checkpoint) {
 }
 
 Snapshot Simulation::snapshot() const {
+  state_->stepper.placeAll();
   const Stepper& stepper = state_->stepper;
   const Stepper::Present present = stepper.present();
   const std::size_t count = stepper.network().nodeCount();
@@ -138,6 +141,8 @@ Snapshot Simulation::snapshot() const {
   snapshot.brokenBonds = stepper.breakage().brokenBonds();
   snapshot.brokenCells = stepper.breakage().brokenCells();
   snapshot.fragments = describeFragments(stepper.network(), stepper.components(), snapshot);
+  for (Fragment& fragment : snapshot.fragments)
+    fragment.state = stepper.fragments().activity().stateOf(fragment.id);
   snapshot.ledger = stepper.drawLedger(present);
   return snapshot;
 }

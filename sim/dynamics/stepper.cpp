@@ -35,17 +35,19 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       layout_(network_),
       breakage_(network_),
       components_(network_, layout_),
-      activity_(network_, components_),
       contacts_(network_, settings.contact),
       controls_(network_, std::move(environment), std::move(tracks)),
       ledger_(network_),
       kernel_(stepBlocksFor(KernelKind::automatic)),
+      now_{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())},
+      next_(now_),
+      fragments_({network_, layout_, breakage_, components_, contacts_, controls_, ledger_, now_, next_,
+                  inverseMasses_},
+                 settings.skip),
       reports_(layout_.blockCount()),
       moreThreads_(allowThreads(settings.threads)),
       arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
   const std::size_t count = network_.nodeCount();
-  now_ = {NodeVectors(count), NodeVectors(count)};
-  next_ = now_;
   forces_ = {NodeVectors(count), NodeVectors(count), std::vector<std::uint8_t>(layout_.blockCount(), 0)};
   inverseMasses_.assign(NodeVectors::paddedCount(count), 0.0);
   for (std::size_t node = 0; node < count; ++node) {
@@ -80,7 +82,11 @@ void Stepper::applyControls() {
   controlsTime_ = time();
   const Controls::Change change = ahead.moveTo(controlsTime_);
   const bool energyChanges = change.stiffness || change.leap;
-  if (energyChanges) finishKick();
+  if (energyChanges) {
+    fragments_.wakeEverything(time());
+    fragments_.meltEverything(time());
+    finishKick();
+  }
   const double before = energyChanges ? potentialEnergy() : 0.0;
   controls_ = std::move(ahead);
   contacts_.moveColliders(controls_.colliderTravel());
@@ -90,15 +96,20 @@ void Stepper::applyControls() {
     chooseStep();
   }
   if (change.gravity) {
+    fragments_.wakeEverything(time());
+    fragments_.placeBodies();
     ledger_.addOutsideWork(ledger_.gravityWork(now_.position, gravityBefore, controls_.gravity()));
     shiftKick(gravityBefore);
   }
+  fragments_.noteColliders(time());
 }
 
 void Stepper::refreshContacts() {
   if (!contacts_.stale()) return;
+  fragments_.placeBodies();
   contacts_.rebuild(now_, components_, breakage_, controls_.colliders());
   ++work_.neighbourLists;
+  fragments_.noteNewRows(time());
   chooseStep();
 }
 
@@ -138,14 +149,14 @@ KernelStep Stepper::kernelStep(const Motion& from, Motion& to) const {
     step.gravity[k] = controls_.gravity()[static_cast<Eigen::Index>(k)];
   }
   step.inverseMass = inverseMasses_.data();
-  step.awake = activity_.awakeLanes().data();
+  step.awake = fragments_.activity().awakeLanes().data();
   step.hasExternal = forces_.touched.data();
   step.materials = controls_.materials().data();
   return step;
 }
 
 void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const {
-  const std::span<const std::uint32_t> blocks = activity_.activeBlocks();
+  const std::span<const std::uint32_t> blocks = fragments_.activity().activeBlocks();
   const auto run = [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
       std::size_t next = begin + 1;
@@ -161,8 +172,15 @@ void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& report
   }
 }
 
+bool Stepper::skipsFragments() const {
+  return isLeapfrog(settings_.method) && (settings_.skip.sleep || settings_.skip.rigid);
+}
+
 /// Forces at the beginning of the step, and the move they make; afterwards next_ holds the state before.
 Result<double> Stepper::moveByLeapfrog() {
+  fragments_.moveBodies(kick(), step_, settings_.method == Method::forwardEuler);
+  double travel = fragments_.fastestBody() * step_;
+  if (fragments_.noneDeforms()) return travel;
   if (contacts_.quiet()) {
     Contacts::clear(forces_);
   } else {
@@ -178,39 +196,69 @@ Result<double> Stepper::moveByLeapfrog() {
   step.driftByOldVelocity = settings_.method == Method::forwardEuler;
   step.flowing = true;
   runKernel(step, reports_);
-  double travel = 0.0;
   const Status healthy = readReports(travel);
   if (!healthy) return healthy.problem();
   std::swap(now_, next_);
   return travel;
 }
 
+void Stepper::countWork() {
+  const std::uint64_t rigid = fragments_.bondsIn(FragmentState::rigid);
+  const std::uint64_t asleep = fragments_.bondsIn(FragmentState::asleep);
+  const std::uint64_t skipped = breakage_.brokenBondCount() + rigid + asleep;
+  ++work_.steps;
+  work_.bondsEvaluated += network_.bondCount() - skipped;
+  work_.bondsSkipped += skipped;
+  work_.bondsRigid += rigid;
+  work_.bondsAsleep += asleep;
+  if (fragments_.noneDeforms()) ++work_.stepsRigid;
+}
+
 Status Stepper::stepInArena() {
+  const bool moving = !fragments_.noneDeforms();
   const Result<double> travel = moveByLeapfrog();
   if (!travel) return travel.problem();
+  countWork();
   lastStep_ = step_;
   ++segmentSteps_;
-  ++work_.steps;
-  work_.bondsEvaluated += network_.bondCount() - breakage_.brokenBondCount();
-  work_.bondsSkipped += breakage_.brokenBondCount();
+  if (contacts_.looksAfter(*travel)) fragments_.placeBodies();
   contacts_.age(now_, *travel);
-  breakOverstretched();
+  if (moving) breakOverstretched();
   applyControls();
   refreshContacts();
-  return work_.steps % kStepsPerLedger == 0 ? watchEnergy() : Status(Done{});
+  if (moving && skipsFragments() && work_.steps % FragmentStates::kStepsPerReview == 0)
+    fragments_.review(time());
+  return moving && work_.steps % kStepsPerLedger == 0 ? watchEnergy() : Status(Done{});
+}
+
+/// Where all sleep, nothing happens until a track says otherwise: the clock moves on by itself, to the same
+/// step that stepping would have ended on.
+void Stepper::sleepUntil(double until) {
+  if (!fragments_.allAsleep() || contacts_.looksAfter(0.0)) return;
+  const double end = std::min(until, controls_.constantUntil(time()));
+  const double steps = std::floor((end - time()) / step_) - 2.0;
+  if (!(steps >= 1.0)) return;
+  // The last few steps are taken one by one, so that rounding cannot take one too many.
+  const auto count = static_cast<std::uint64_t>(std::min(steps, 1e15));
+  segmentSteps_ += count;
+  lastStep_ = step_;
+  work_.steps += count;
+  work_.stepsRigid += count;
+  work_.bondsSkipped += count * network_.bondCount();
+  work_.bondsAsleep += count * fragments_.bondsIn(FragmentState::asleep);
 }
 
 Status Stepper::readReports(double& travel) {
-  double fastest = 0.0;
+  double fastest = 0.0;  // squared
   double dissipated = 0.0;
-  for (const std::uint32_t block : activity_.activeBlocks()) {
+  for (const std::uint32_t block : fragments_.activity().activeBlocks()) {
     const BlockReport& report = reports_[block];
     dissipated += report.dissipated;
     if (!(report.largestSpeedSquared <= fastest)) fastest = report.largestSpeedSquared;
     if (!(report.largestSpeedSquared < kLightSpeedSquared)) return blowUp("is faster than light");
   }
   ledger_.addDissipated(dissipated);
-  travel = std::sqrt(fastest) * step_;
+  travel = std::max(travel, std::sqrt(fastest) * step_);
   return Done{};
 }
 
@@ -234,6 +282,7 @@ Problem Stepper::blowUp(const char* what) const {
 }
 
 Status Stepper::watchEnergy() {
+  fragments_.placeBodies();
   if (ledger_.watch(drawLedger(present()))) return Done{};
   return blowUp("is the fastest, and there is far more energy than there was to have");
 }
@@ -245,6 +294,7 @@ Status Stepper::stepOnce() {
 Status Stepper::advanceTo(double until) {
   return arena_.execute([&]() -> Status {
     while (time() < until - kTimeSlack * step_) {
+      sleepUntil(until);
       if (const Status status = stepInArena(); !status) return status;
     }
     return Done{};

@@ -3,8 +3,8 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "sim/dynamics/activity.h"
 #include "sim/dynamics/controls.h"
+#include "sim/dynamics/fragment_states.h"
 #include "sim/dynamics/ledger.h"
 #include "sim/dynamics/simulation.h"
 #include "sim/dynamics/stable_step.h"
@@ -42,6 +42,9 @@ class Stepper {
   const Work& work() const { return work_; }
   const Breakage& breakage() const { return breakage_; }
   const Components& components() const { return components_; }
+  const FragmentStates& fragments() const { return fragments_; }
+  /// All of this moment; to be called before positions are looked at.
+  void placeAll() { fragments_.placeBodies(); }
   const NodeVectors& positions() const { return now_.position; }
   double maxRise() const { return ledger_.maxRise(); }
   std::vector<BreakEvent> drainEvents() { return std::exchange(events_, {}); }
@@ -68,7 +71,11 @@ class Stepper {
   void refreshContacts();
   void finishKick();
   void shiftKick(const Vec3& gravityBefore);
+  bool skipsFragments() const;
+  void sleepUntil(double until);
+  void countWork();
   Present presentBy(Contacts& contacts, Contacts::Forces& forces) const;
+  double elasticEnergyNow() const;
   double carryingWork(const Contacts::Forces& forces, double kick) const;
   Vec3 bondForce(NodeIndex node, NodeIndex neighbour) const;
   void chooseStep();
@@ -95,15 +102,15 @@ class Stepper {
   BondLayout layout_;
   Breakage breakage_;
   Components components_;
-  Activity activity_;
   Contacts contacts_;
   Controls controls_;
   Ledger ledger_;
   StepBlocks kernel_;
 
-  Motion now_;
+  Motion now_;   ///< nodes of rigid bodies are where placeBodies() last put them
   Motion next_;  ///< where the step is written; afterwards, the state before it
   AlignedVector<double> inverseMasses_;
+  FragmentStates fragments_;
   std::vector<NodeIndex> carried_;  ///< held nodes that move
   Contacts::Forces forces_;
   std::vector<BlockReport> reports_;

@@ -16,7 +16,7 @@ float Stepper::strainBefore(BondIndex bond) const {
 /// The exact test, for the rows of suspect blocks only.
 std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
   std::vector<Breakage::Overstretched> found;
-  for (const std::size_t block : activity_.activeBlocks()) {
+  for (const std::size_t block : fragments_.activity().activeBlocks()) {
     if (!reports_[block].suspect) continue;
     const std::size_t end = std::min(network_.nodeCount(), (block + 1) * kBlockNodes);
     for (std::size_t node = block * kBlockNodes; node < end; ++node) {
@@ -57,7 +57,7 @@ void Stepper::breakOverstretched() {
   const std::span<const BreakEvent> fresh = std::span<const BreakEvent>(events_).subspan(before);
   for (const BreakEvent& event : fresh) loseBond(event);
   if (components_.relabel(layout_, fresh, time())) {
-    activity_.noteBirths(components_);
+    fragments_.noteBirths(time());
     contacts_.noteBirths();
   }
   work_.labelings = components_.relabelings();

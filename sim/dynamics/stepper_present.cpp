@@ -2,15 +2,19 @@
 
 namespace sim {
 
-double Stepper::potentialEnergy() const {
+double Stepper::elasticEnergyNow() const {
   Motion unused;
-  return elasticEnergy(kernelStep(now_, unused), layout_.blockCount()) + contacts_.energy(moment());
+  const KernelStep step = kernelStep(now_, unused);
+  return elasticEnergy(step, layout_.blockCount()) + fragments_.stillElasticEnergy(step);
+}
+
+double Stepper::potentialEnergy() const {
+  return elasticEnergyNow() + contacts_.energy(moment());
 }
 
 LedgerRow Stepper::drawLedger(const Present& present) const {
-  Motion unused;
   Energy energy;
-  energy.elastic = elasticEnergy(kernelStep(now_, unused), layout_.blockCount());
+  energy.elastic = elasticEnergyNow();
   energy.contact = contacts_.energy(moment());
   energy.dissipated = present.dissipated;
   energy.outsideWork = present.outsideWork;
@@ -45,7 +49,11 @@ double Stepper::carryingWork(const Contacts::Forces& forces, double kick) const 
 
 /// Half the last step's kick more, without moving anything.
 Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces) const {
-  if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return {now_.velocity};
+  if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) {
+    Present present{now_.velocity};
+    fragments_.placeVelocities(present.velocity, 0.0);
+    return present;
+  }
   const double halfKick = 0.5 * lastStep_;
   Motion ahead{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())};
   std::vector<BlockReport> reports(layout_.blockCount());
@@ -66,7 +74,9 @@ Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces
   const double share = halfKick / kick();
   Present present{std::move(ahead.velocity), share * work.dissipated,
                   share * work.outside + carryingWork(forces, halfKick)};
-  for (const std::uint32_t block : activity_.activeBlocks()) present.dissipated += reports[block].dissipated;
+  for (const std::uint32_t block : fragments_.activity().activeBlocks())
+    present.dissipated += reports[block].dissipated;
+  fragments_.placeVelocities(present.velocity, halfKick);
   return present;
 }
 

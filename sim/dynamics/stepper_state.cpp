@@ -10,7 +10,7 @@ namespace sim {
 namespace {
 
 /// Changes with the layout of checkpoints, so that a run is never resumed from one it cannot read.
-constexpr std::uint32_t kCheckpointVersion = 2;
+constexpr std::uint32_t kCheckpointVersion = 3;
 
 const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
                        "resume from an earlier one, or run again"};
@@ -103,6 +103,7 @@ std::vector<std::byte> Stepper::checkpoint() const {
   saveFragments(writer, components_);
   writer.putVector(layout_.plasticRestLengths());
   contacts_.save(writer);
+  fragments_.save(writer);
   ledger_.save(writer);
   writer.put(work_);
   for (const double value : {segmentStart_, step_, lastStep_, controlsTime_}) writer.put(value);
@@ -133,7 +134,10 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   if (!loadNumbers(reader, layout_.plasticRestLengths().size(), restLengths)) return kDamaged;
   Contacts contacts = contacts_;
   Ledger ledger = ledger_;
-  if (!contacts.load(reader, controls_.colliders().size()) || !ledger.load(reader)) return kDamaged;
+  FragmentStates::Saved states;
+  if (!contacts.load(reader, controls_.colliders().size()) ||
+      !FragmentStates::read(reader, network_.nodeCount(), fragments.size(), states) || !ledger.load(reader))
+    return kDamaged;
   Work work;
   reader.read(work);
   std::array<double, 4> times{};
@@ -162,7 +166,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   layout_.setPlasticRestLengths(restLengths);
   breakage_.restore(std::move(brokenBonds), std::move(brokenCells));
   components_.restore(std::move(fragmentOfNode), std::move(fragments), work_.labelings);
-  activity_.restore(std::vector(components_.births().size(), FragmentState::deforming), components_);
+  fragments_.restore(std::move(states));
   controls_.moveTo(controlsTime_);
   controls_.setFlow(network_, step_);
   events_.clear();
@@ -172,7 +176,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
 std::size_t Stepper::memoryBytes() const {
   const std::size_t motion = 4 * now_.position.memoryBytes() + 2 * forces_.total.memoryBytes();
   return sizeof(*this) + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() +
-         components_.memoryBytes() + activity_.memoryBytes() + contacts_.memoryBytes() + motion +
+         components_.memoryBytes() + fragments_.memoryBytes() + contacts_.memoryBytes() + motion +
          inverseMasses_.capacity() * sizeof(double) + reports_.capacity() * sizeof(BlockReport) +
          forces_.touched.capacity() + events_.capacity() * sizeof(BreakEvent);
 }

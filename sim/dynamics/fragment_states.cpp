@@ -1,0 +1,480 @@
+#include "sim/dynamics/fragment_states.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+namespace {
+
+/// A fragment is at rest when its root mean square speed has been below both, for so long that it could have
+/// fallen: this share of the speed after falling by a bond's length (times sqrt(g h)), ...
+constexpr double kRestOfFall = 0.02;
+/// ... this share of the highest such speed the whole scene has had.
+constexpr double kRestOfPeak = 2e-3;
+/// In units of sqrt(h / g). A fragment at the top of its flight is slow for sqrt(h / g) / 50 only.
+constexpr double kRestTime = 2.0;
+/// Neighbours lighter than this share do not keep a fragment awake, nor wake it by going away.
+constexpr double kLightShare = 0.05;
+/// Strain that is nothing to speak of: this share of the bond's threshold, and never more than can be seen.
+constexpr double kCalmStrainShare = 0.25;
+constexpr double kCalmStrainMost = 5e-3;
+/// What never touched anything and never broke flies rigidly only if it is as good as undeformed: somebody
+/// may want to see it ring.
+constexpr double kUndeformed = 1e-9;
+/// Reviews for which a fragment must have touched nothing.
+constexpr std::uint32_t kFreeReviews = 2;
+/// After a look in vain the next one waits twice as long, up to so many reviews.
+constexpr std::uint32_t kLongestWait = 16;
+
+}  // namespace
+
+FragmentStates::FragmentStates(const World& world, const SkipSettings& skip)
+    : world_(world), skip_(skip), activity_(world.network, world.components) {
+  double length = 0.0;
+  for (const float radius : world.network.radii) length += static_cast<double>(radius);
+  typicalLength_ = length / static_cast<double>(world.network.nodeCount());
+  noteBirths(0.0);
+  findSkippable();
+}
+
+bool FragmentStates::allAsleep() const {
+  return noneDeforms() && bodies_.empty();
+}
+
+FragmentStates::RestLimits FragmentStates::restLimits() const {
+  const double gravity = world_.controls.gravity().norm();
+  RestLimits limits;
+  if (!(gravity > 0.0)) return limits;
+  limits.speed = std::min(kRestOfFall * std::sqrt(gravity * typicalLength_), kRestOfPeak * peakSpeed_);
+  limits.time = kRestTime * std::sqrt(typicalLength_ / gravity);
+  return limits;
+}
+
+void FragmentStates::noteBirths(double time) {
+  activity_.noteBirths(world_.components);
+  const std::size_t known = records_.size();
+  records_.resize(world_.components.births().size());
+  for (std::size_t fragment = known; fragment < records_.size(); ++fragment) {
+    Record& record = records_[fragment];
+    record.stillSince = time;
+    const FragmentId parent = world_.components.births()[fragment].parent;
+    if (parent == kNone) continue;
+    record.disturbed = records_[parent].disturbed = true;
+    record.skippable = records_[parent].skippable;
+  }
+}
+
+void FragmentStates::findSkippable() {
+  std::vector<std::uint8_t> solid(world_.network.partNames.size(), 0);
+  for (const CellCorners& corners : world_.network.cells) solid[world_.network.nodeParts[corners[0]]] = 1;
+  for (Record& record : records_) record.skippable = true;
+  for (NodeIndex node = 0; node < world_.network.nodeCount(); ++node) {
+    const bool held = !std::isfinite(world_.network.masses[node]);
+    if (held || solid[world_.network.nodeParts[node]] == 0)
+      records_[world_.components.of(node)].skippable = false;
+  }
+}
+
+/// Sums over the nodes of each fragment that deforms; the others have their mass only.
+std::vector<FragmentStates::Sums> FragmentStates::sumFragments() {
+  std::vector<Sums> sums(records_.size());
+  double mass = 0.0;
+  double energy = 0.0;
+  for (NodeIndex node = 0; node < world_.network.nodeCount(); ++node) {
+    if (!std::isfinite(world_.network.masses[node])) continue;
+    Sums& sum = sums[world_.components.of(node)];
+    sum.mass += world_.network.masses[node];
+    sum.kinetic += 0.5 * world_.network.masses[node] * world_.now.velocity.get(node).squaredNorm();
+  }
+  for (const RigidBody& body : bodies_) sums[body.fragment()].kinetic = body.kineticEnergy();
+  for (const Sums& sum : sums) {
+    mass += sum.mass;
+    energy += sum.kinetic;
+  }
+  if (mass > 0.0) peakSpeed_ = std::max(peakSpeed_, std::sqrt(2.0 * energy / mass));
+  return sums;
+}
+
+void FragmentStates::review(double time) {
+  time_ = time;
+  activity_.listNodes(world_.components);
+  const std::vector<Sums> sums = sumFragments();
+  noteNeighbours();
+  if (skip_.sleep) {
+    wakeByContact(sums);
+    fallAsleep(sums);
+  }
+  if (skip_.rigid) freeze();
+  apply();
+}
+
+std::vector<std::uint8_t> FragmentStates::nearSomething() const {
+  std::vector<std::uint8_t> near(records_.size(), 0);
+  world_.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
+    const FragmentId a = world_.components.of(i);
+    const FragmentId b = world_.components.of(j);
+    if (a != b) near[a] = near[b] = 1;
+  });
+  world_.contacts.forEachNearCollider(
+      [&](NodeIndex node, std::uint32_t) { near[world_.components.of(node)] = 1; });
+  return near;
+}
+
+void FragmentStates::noteNeighbours() {
+  neighbours_.clear();
+  world_.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
+    const FragmentId a = world_.components.of(i);
+    const FragmentId b = world_.components.of(j);
+    if (a != b) neighbours_.emplace_back(std::min(a, b), std::max(a, b));
+  });
+  std::sort(neighbours_.begin(), neighbours_.end());
+  neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+  const std::vector<std::uint8_t> near = nearSomething();
+  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
+    Record& record = records_[fragment];
+    record.freeReviews = near[fragment] != 0 ? 0 : record.freeReviews + 1;
+    if (near[fragment] != 0) record.disturbed = true;
+  }
+}
+
+/// What is still for long enough sleeps, unless something heavy next to it does not.
+void FragmentStates::fallAsleep(const std::vector<Sums>& sums) {
+  const RestLimits limits = restLimits();
+  std::vector<std::uint8_t> resting(records_.size(), 0);
+  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
+    if (!activity_.deforms(fragment)) continue;
+    const Sums& sum = sums[fragment];
+    const bool still = 2.0 * sum.kinetic < sum.mass * limits.speed * limits.speed;
+    if (!still) records_[fragment].stillSince = time_;
+    resting[fragment] =
+        records_[fragment].skippable && time_ - records_[fragment].stillSince > limits.time ? 1 : 0;
+  }
+  const auto disturbs = [&](FragmentId one, FragmentId other) {
+    return resting[one] == 0 && activity_.stateOf(one) != FragmentState::asleep &&
+           sums[one].mass > kLightShare * sums[other].mass;
+  };
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (const auto& [a, b] : neighbours_) {
+      for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+        if (resting[other] == 0 || !disturbs(one, other)) continue;
+        resting[other] = 0;
+        changed = true;
+      }
+    }
+  }
+  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
+    if (resting[fragment] != 0 && !flows(fragment)) putToSleep(fragment, sums[fragment].kinetic);
+  }
+}
+
+double FragmentStates::strainOf(BondIndex bond) const {
+  const NodeIndex a = world_.network.bondStart(bond);
+  const NodeIndex b = world_.network.bondEnds[bond];
+  const double length = (world_.now.position.get(b) - world_.now.position.get(a)).norm();
+  return length / world_.layout.restLength(world_.network, bond) - 1.0;
+}
+
+/// Plastic fragments that still yield are not at rest, however slowly they creep.
+bool FragmentStates::flows(FragmentId fragment) const {
+  if (!world_.layout.hasPlastic()) return false;
+  for (const NodeIndex node : activity_.nodesOf(fragment)) {
+    for (BondIndex bond = world_.network.firstBond[node]; bond < world_.network.firstBond[node + 1]; ++bond) {
+      if (!world_.breakage.bondBroken(bond) &&
+          std::abs(strainOf(bond)) > world_.network.materials[world_.network.bond(bond).material].yieldStrain)
+        return true;
+    }
+  }
+  return false;
+}
+
+/// What moves beside a sleeper, and could move it by more than counts as rest, wakes it; and all that rests
+/// against it wakes with it, since it may have been held up by it.
+void FragmentStates::wakeByContact(const std::vector<Sums>& sums) {
+  if (!activity_.any(FragmentState::asleep)) return;
+  const double restSpeed = restLimits().speed;
+  const auto asleep = [&](FragmentId f) { return activity_.stateOf(f) == FragmentState::asleep; };
+  const auto strikes = [&](FragmentId one, FragmentId other) {
+    const double momentum = std::sqrt(2.0 * sums[one].mass * sums[one].kinetic);
+    return !asleep(one) && asleep(other) && momentum > sums[other].mass * restSpeed &&
+           2.0 * sums[one].kinetic > sums[one].mass * restSpeed * restSpeed;
+  };
+  std::vector<FragmentId> woken;
+  for (const auto& [a, b] : neighbours_) {
+    if (strikes(a, b)) woken.push_back(b);
+    if (strikes(b, a)) woken.push_back(a);
+  }
+  wakeTogether(std::move(woken), sums);
+}
+
+void FragmentStates::wakeTogether(std::vector<FragmentId> fragments, const std::vector<Sums>& sums) {
+  while (!fragments.empty()) {
+    const FragmentId woken = fragments.back();
+    fragments.pop_back();
+    if (activity_.stateOf(woken) != FragmentState::asleep) continue;
+    wake(woken);
+    for (const auto& [a, b] : neighbours_) {
+      if (a != woken && b != woken) continue;
+      const FragmentId other = a == woken ? b : a;
+      if (sums[woken].mass > kLightShare * sums[other].mass) fragments.push_back(other);
+    }
+  }
+}
+
+void FragmentStates::wakeEverything(double time) {
+  if (!activity_.any(FragmentState::asleep)) return;
+  time_ = time;
+  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
+    if (activity_.stateOf(fragment) == FragmentState::asleep) wake(fragment);
+  }
+  apply();
+}
+
+void FragmentStates::noteColliders(double time) {
+  if (world_.controls.colliderTravel() <= 0.0 || !activity_.any(FragmentState::asleep)) return;
+  time_ = time;
+  world_.contacts.forEachNearCollider([&](NodeIndex node, std::uint32_t collider) {
+    const FragmentId fragment = world_.components.of(node);
+    if (world_.controls.moved(collider) && activity_.stateOf(fragment) == FragmentState::asleep)
+      wake(fragment);
+  });
+  apply();
+}
+
+/// What touches nothing and has no strain to speak of flies on as a rigid body.
+void FragmentStates::freeze() {
+  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
+    Record& record = records_[fragment];
+    if (!activity_.deforms(fragment) || !record.skippable || record.freeReviews < kFreeReviews) continue;
+    if (record.wait > 0) {
+      --record.wait;
+      continue;
+    }
+    RigidBody body(world_.network, fragment, activity_.nodesOf(fragment), world_.now);
+    if (isCalm(body, record.disturbed)) {
+      makeRigid(std::move(body));
+      record.lastWait = 0;
+    } else {
+      record.wait = record.lastWait = std::clamp(2 * record.lastWait, 1U, kLongestWait);
+    }
+  }
+}
+
+/// Strain and vibration (which is strain a quarter of a swing later) are next to nothing.
+bool FragmentStates::isCalm(const RigidBody& body, bool disturbed) const {
+  double stiffness = 0.0;
+  double least = disturbed ? kCalmStrainMost : kUndeformed;
+  std::size_t bonds = 0;
+  for (const NodeIndex node : body.nodes()) {
+    for (BondIndex bond = world_.network.firstBond[node]; bond < world_.network.firstBond[node + 1]; ++bond) {
+      if (world_.breakage.bondBroken(bond)) continue;
+      const BondClass& constants = world_.network.bond(bond);
+      const Material& material = world_.network.materials[constants.material];
+      if (!std::isfinite(material.thresholdMean)) least = std::min(least, kUndeformed);
+      least = std::min(least, kCalmStrainShare * static_cast<double>(world_.network.thresholds[bond]));
+      const double strain = std::abs(strainOf(bond));
+      if (strain > least || strain > material.yieldStrain) return false;
+      stiffness += constants.stiffness * constants.restLength * constants.restLength;
+      ++bonds;
+    }
+  }
+  if (bonds == 0) return true;
+  // Mean of k L^2 over mean mass: two thirds of the speed of sound, squared and less.
+  const double soundSquared =
+      stiffness / static_cast<double>(bonds) * static_cast<double>(body.nodes().size()) / body.mass();
+  const double fastest = least * least * soundSquared;
+  for (std::size_t i = 0; i < body.nodes().size(); ++i) {
+    if (body.vibration(i, world_.now.velocity.get(body.nodes()[i])).squaredNorm() > fastest) return false;
+  }
+  return true;
+}
+
+/// Takes a fragment's nodes out of the lattice: there they stand still.
+void FragmentStates::hold(std::span<const NodeIndex> nodes) {
+  for (const NodeIndex node : nodes) {
+    world_.next.position.set(node, world_.now.position.get(node));
+    world_.now.velocity.set(node, Vec3::Zero());
+    world_.next.velocity.set(node, Vec3::Zero());
+    world_.inverseMasses[node] = 0.0;
+  }
+}
+
+void FragmentStates::release(std::span<const NodeIndex> nodes) {
+  for (const NodeIndex node : nodes) {
+    const double mass = world_.network.masses[node];
+    world_.inverseMasses[node] = std::isfinite(mass) ? 1.0 / mass : 0.0;
+  }
+}
+
+void FragmentStates::setState(FragmentId fragment, FragmentState state) {
+  Record& record = records_[fragment];
+  const auto count = [&](FragmentState in) -> std::uint64_t& { return bonds_[static_cast<std::size_t>(in)]; };
+  if (state == FragmentState::deforming) {
+    count(activity_.stateOf(fragment)) -= record.bonds;
+  } else {
+    record.bonds = wholeBonds(fragment);
+    count(state) += record.bonds;
+  }
+  activity_.set(fragment, state);
+  changed_ = true;
+}
+
+std::uint64_t FragmentStates::wholeBonds(FragmentId fragment) const {
+  std::uint64_t count = 0;
+  for (const NodeIndex node : activity_.nodesOf(fragment)) {
+    for (BondIndex bond = world_.network.firstBond[node]; bond < world_.network.firstBond[node + 1]; ++bond)
+      count += world_.breakage.bondBroken(bond) ? 0 : 1;
+  }
+  return count;
+}
+
+void FragmentStates::putToSleep(FragmentId fragment, double kineticEnergy) {
+  world_.ledger.addDissipated(kineticEnergy);
+  hold(activity_.nodesOf(fragment));
+  setState(fragment, FragmentState::asleep);
+}
+
+void FragmentStates::wake(FragmentId fragment) {
+  release(activity_.nodesOf(fragment));
+  records_[fragment].stillSince = time_;
+  setState(fragment, FragmentState::deforming);
+}
+
+void FragmentStates::makeRigid(RigidBody body) {
+  double kinetic = -body.kineticEnergy();
+  for (const NodeIndex node : body.nodes())
+    kinetic += 0.5 * world_.network.masses[node] * world_.now.velocity.get(node).squaredNorm();
+  world_.ledger.addDissipated(std::max(0.0, kinetic));
+  hold(body.nodes());
+  setState(body.fragment(), FragmentState::rigid);
+  bodies_.push_back(std::move(body));
+}
+
+void FragmentStates::melt(const RigidBody& body) {
+  body.place(world_.now.position);
+  body.placeVelocities(world_.now.velocity);
+  release(body.nodes());
+  Record& record = records_[body.fragment()];
+  record.stillSince = time_;
+  record.freeReviews = 0;
+  setState(body.fragment(), FragmentState::deforming);
+}
+
+void FragmentStates::noteNewRows(double time) {
+  time_ = time;
+  if (!bodies_.empty()) {
+    const std::vector<std::uint8_t> near = nearSomething();
+    std::erase_if(bodies_, [&](const RigidBody& body) {
+      if (near[body.fragment()] == 0) return false;
+      melt(body);
+      return true;
+    });
+  }
+  if (activity_.any(FragmentState::asleep)) {
+    noteNeighbours();
+    wakeByContact(sumFragments());
+  }
+  apply();
+}
+
+void FragmentStates::meltEverything(double time) {
+  time_ = time;
+  for (const RigidBody& body : bodies_) melt(body);
+  bodies_.clear();
+  apply();
+}
+
+void FragmentStates::moveBodies(double kick, double drift, bool byOldVelocity) {
+  const Vec3 change = kick * world_.controls.gravity();
+  for (RigidBody& body : bodies_) {
+    const Vec3 old = body.velocity();
+    body.kick(change);
+    body.drift(drift, byOldVelocity ? old : body.velocity());
+  }
+}
+
+void FragmentStates::shiftVelocities(const Vec3& shift) {
+  for (RigidBody& body : bodies_) body.kick(shift);
+}
+
+double FragmentStates::fastestBody() const {
+  double fastest = 0.0;
+  for (const RigidBody& body : bodies_) fastest = std::max(fastest, body.fastest());
+  return fastest;
+}
+
+void FragmentStates::placeBodies() {
+  for (const RigidBody& body : bodies_) body.place(world_.now.position);
+}
+
+void FragmentStates::placeVelocities(NodeVectors& velocities, double kick) const {
+  for (const RigidBody& body : bodies_) body.placeVelocities(velocities, kick * world_.controls.gravity());
+}
+
+double FragmentStates::stillElasticEnergy(KernelStep step) const {
+  if (!stillElastic_) {
+    step.awake = activity_.stillLanes().data();
+    stillElastic_ = elasticEnergy(step, world_.layout.blockCount());
+  }
+  return *stillElastic_;
+}
+
+void FragmentStates::apply() {
+  if (!changed_) return;
+  changed_ = false;
+  activity_.refresh(world_.components);
+  stillElastic_.reset();
+}
+
+void FragmentStates::save(ByteWriter& writer) const {
+  writer.putVector(activity_.states());
+  writer.putVector(records_);
+  writer.put<std::uint64_t>(bodies_.size());
+  for (const RigidBody& body : bodies_) body.save(writer);
+  writer.put(peakSpeed_);
+}
+
+bool FragmentStates::read(ByteReader& reader, std::size_t nodes, std::size_t fragments, Saved& saved) {
+  reader.readVector(saved.states);
+  reader.readVector(saved.records);
+  std::uint64_t bodies = 0;
+  reader.read(bodies);
+  const auto known = [](FragmentState state) { return static_cast<std::size_t>(state) < kFragmentStates; };
+  const auto rigid = std::ranges::count(saved.states, FragmentState::rigid);
+  if (saved.states.size() != fragments || saved.records.size() != fragments ||
+      bodies != static_cast<std::uint64_t>(rigid) || !std::ranges::all_of(saved.states, known))
+    return reader.fail();
+  saved.bodies.resize(static_cast<std::size_t>(bodies));
+  for (RigidBody& body : saved.bodies) {
+    if (!body.load(reader, nodes) || body.fragment() >= fragments ||
+        saved.states[body.fragment()] != FragmentState::rigid)
+      return reader.fail();
+  }
+  return reader.read(saved.peakSpeed);
+}
+
+void FragmentStates::restore(Saved saved) {
+  records_ = std::move(saved.records);
+  bodies_ = std::move(saved.bodies);
+  peakSpeed_ = saved.peakSpeed;
+  activity_.restore(std::move(saved.states), world_.components);
+  activity_.listNodes(world_.components);
+  bonds_ = {};
+  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
+    release(activity_.nodesOf(fragment));
+    if (activity_.deforms(fragment)) continue;
+    bonds_[static_cast<std::size_t>(activity_.stateOf(fragment))] += records_[fragment].bonds;
+    hold(activity_.nodesOf(fragment));
+  }
+  stillElastic_.reset();
+}
+
+std::size_t FragmentStates::memoryBytes() const {
+  std::size_t bytes = activity_.memoryBytes() + records_.capacity() * sizeof(Record) +
+                      neighbours_.capacity() * sizeof(neighbours_[0]);
+  for (const RigidBody& body : bodies_) bytes += body.memoryBytes();
+  return bytes;
+}
+
+}  // namespace sim

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/contact/contacts.h"
+#include "sim/dynamics/activity.h"
+#include "sim/dynamics/bond_layout.h"
+#include "sim/dynamics/controls.h"
+#include "sim/dynamics/ledger.h"
+#include "sim/dynamics/rigid_body.h"
+
+namespace sim {
+
+/// Decides which fragments deform, fly rigidly or sleep, and carries them from one state to another (B4;
+/// docs/numerics.md, "What is skipped"). Raw networks, without cells, always deform: they are experiments
+/// with springs. So does what is held.
+///
+/// - asleep: still for so long that it could have fallen, and everything heavy next to it is, too. It stands
+///   where it is, with its strain, until something next to it moves that could move it, a collider next to it
+///   moves, or gravity or a stiffness changes.
+/// - rigid: touched by nothing, and strained by nothing to speak of. It flies as a RigidBody until the
+/// contact
+///   rows, which cover all that can touch before they are built again, name one of its nodes.
+class FragmentStates {
+ public:
+  /// What it looks at and what it writes to. The stepper's own, which outlive this.
+  struct World {
+    const Network& network;
+    const BondLayout& layout;
+    const Breakage& breakage;
+    const Components& components;
+    const Contacts& contacts;
+    const Controls& controls;
+    Ledger& ledger;
+    Motion& now;
+    Motion& next;
+    AlignedVector<double>& inverseMasses;
+  };
+  FragmentStates(const World& world, const SkipSettings& skip);
+
+  const Activity& activity() const { return activity_; }
+  /// Nothing at all moves, or will before something from outside does.
+  bool allAsleep() const;
+  bool noneDeforms() const { return activity_.activeBlocks().empty(); }
+
+  /// Fragments were born at `time`.
+  void noteBirths(double time);
+  /// Looks who has come to rest and who flies freely. To be called every kStepsPerReview steps, or more
+  /// rarely.
+  void review(double time);
+  /// Called whenever the contact rows are new.
+  void noteNewRows(double time);
+  /// Colliders have moved.
+  void noteColliders(double time);
+  /// Forces are about to change everywhere.
+  void wakeEverything(double time);
+  void meltEverything(double time);
+
+  /// Carries the rigid bodies through a step: kicked by gravity for `kick`, moved for `drift` seconds.
+  void moveBodies(double kick, double drift, bool byOldVelocity);
+  void shiftVelocities(const Vec3& shift);
+  /// No node of a rigid body is faster, cm/s.
+  double fastestBody() const;
+  /// Puts nodes of rigid bodies where they are; elsewhere they are where they were last put.
+  void placeBodies();
+  /// Adds how they move to velocities in which they stand still; with gravity for `kick` seconds more.
+  void placeVelocities(NodeVectors& velocities, double kick) const;
+
+  /// Whole bonds of fragments in that state.
+  std::uint64_t bondsIn(FragmentState state) const { return bonds_[static_cast<std::size_t>(state)]; }
+  /// Elastic energy of what does not deform, erg; `step` as for elasticEnergy().
+  double stillElasticEnergy(KernelStep step) const;
+
+  /// What a checkpoint holds of it.
+  struct Saved;
+  void save(ByteWriter& writer) const;
+  /// False when it cannot have come from save() of such a network with so many fragments.
+  static bool read(ByteReader& reader, std::size_t nodes, std::size_t fragments, Saved& saved);
+  /// After everything else in the World was restored.
+  void restore(Saved saved);
+  std::size_t memoryBytes() const;
+
+  static constexpr std::uint64_t kStepsPerReview = 64;
+
+ private:
+  /// What is remembered of a fragment.
+  struct Record {
+    double stillSince = 0.0;        ///< s
+    std::uint64_t bonds = 0;        ///< whole ones, while it does not deform
+    std::uint32_t freeReviews = 0;  ///< since it touched anything
+    std::uint32_t wait = 0;         ///< reviews until it is looked at again
+    std::uint32_t lastWait = 0;
+    bool skippable = false;
+    bool disturbed = false;  ///< touched something once, or came of what broke
+  };
+  struct Sums {
+    double mass = 0.0;     ///< g
+    double kinetic = 0.0;  ///< erg
+  };
+  struct RestLimits {
+    double speed = 0.0;  ///< cm/s
+    double time = 0.0;   ///< s
+  };
+
+  void findSkippable();
+  RestLimits restLimits() const;
+  std::vector<Sums> sumFragments();
+  void noteNeighbours();
+  std::vector<std::uint8_t> nearSomething() const;
+  void fallAsleep(const std::vector<Sums>& sums);
+  bool flows(FragmentId fragment) const;
+  void wakeByContact(const std::vector<Sums>& sums);
+  void wakeTogether(std::vector<FragmentId> fragments, const std::vector<Sums>& sums);
+  void freeze();
+  bool isCalm(const RigidBody& body, bool disturbed) const;
+  double strainOf(BondIndex bond) const;
+  std::uint64_t wholeBonds(FragmentId fragment) const;
+  void hold(std::span<const NodeIndex> nodes);
+  void release(std::span<const NodeIndex> nodes);
+  void setState(FragmentId fragment, FragmentState state);
+  void putToSleep(FragmentId fragment, double kineticEnergy);
+  void wake(FragmentId fragment);
+  void makeRigid(RigidBody body);
+  void melt(const RigidBody& body);
+  void apply();
+
+  World world_;
+  SkipSettings skip_;
+  Activity activity_;
+  std::vector<Record> records_;  ///< by fragment
+  std::vector<RigidBody> bodies_;
+  std::vector<std::pair<FragmentId, FragmentId>> neighbours_;  ///< in the contact rows, ascending
+  std::array<std::uint64_t, kFragmentStates> bonds_{};
+  double typicalLength_ = 0.0;  ///< cm: mean distance of a node's nearest neighbour
+  double peakSpeed_ = 0.0;      ///< cm/s: highest root mean square speed of everything so far
+  double time_ = 0.0;           ///< s
+  bool changed_ = false;
+  mutable std::optional<double> stillElastic_;  ///< erg
+};
+
+struct FragmentStates::Saved {
+  std::vector<FragmentState> states;
+  std::vector<Record> records;
+  std::vector<RigidBody> bodies;
+  double peakSpeed = 0.0;
+};
+
+}  // namespace sim

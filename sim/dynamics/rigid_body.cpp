@@ -1,0 +1,117 @@
+#include "sim/dynamics/rigid_body.h"
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace sim {
+namespace {
+
+/// Moments of inertia below this share of the largest belong to a straight row of nodes, which cannot spin
+/// about itself.
+constexpr double kNoExtent = 1e-12;
+
+Eigen::Quaterniond turned(const Eigen::Quaterniond& from, const Vec3& angularVelocity, double step) {
+  const Vec3 rotation = step * angularVelocity;
+  const double angle = rotation.norm();
+  if (!(angle > 0.0)) return from;
+  return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation / angle)) * from).normalized();
+}
+
+}  // namespace
+
+RigidBody::RigidBody(const Network& network, FragmentId fragment, std::span<const NodeIndex> nodes,
+                     const Motion& motion)
+    : fragment_(fragment), nodes_(nodes.begin(), nodes.end()) {
+  for (const NodeIndex node : nodes_) {
+    const double mass = network.masses[node];
+    mass_ += mass;
+    centre_ += mass * motion.position.get(node);
+    velocity_ += mass * motion.velocity.get(node);
+  }
+  centre_ /= mass_;
+  velocity_ /= mass_;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (const NodeIndex node : nodes_) {
+    const double mass = network.masses[node];
+    const Vec3 at = motion.position.get(node) - centre_;
+    inertia += mass * (at.squaredNorm() * Eigen::Matrix3d::Identity() - at * at.transpose());
+    angularMomentum_ += mass * at.cross(motion.velocity.get(node) - velocity_);
+    radius_ = std::max(radius_, at.norm());
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
+  Eigen::Matrix3d worldFromBody = axes.eigenvectors();
+  if (worldFromBody.determinant() < 0.0) worldFromBody.col(0) *= -1.0;
+  worldFromBody_ = Eigen::Quaterniond(worldFromBody).normalized();
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const double moment = axes.eigenvalues()[k];
+    inverseInertia_[k] = moment > kNoExtent * axes.eigenvalues()[2] ? 1.0 / moment : 0.0;
+  }
+  shape_.reserve(nodes_.size());
+  for (const NodeIndex node : nodes_)
+    shape_.push_back(worldFromBody_.conjugate() * (motion.position.get(node) - centre_));
+}
+
+Vec3 RigidBody::angularVelocityAt(const Eigen::Quaterniond& worldFromBody) const {
+  return worldFromBody * inverseInertia_.cwiseProduct(worldFromBody.conjugate() * angularMomentum_);
+}
+
+Vec3 RigidBody::angularVelocity() const {
+  return angularVelocityAt(worldFromBody_);
+}
+
+double RigidBody::fastest() const {
+  return velocity_.norm() + inverseInertia_.maxCoeff() * angularMomentum_.norm() * radius_;
+}
+
+double RigidBody::kineticEnergy() const {
+  return 0.5 * mass_ * velocity_.squaredNorm() + 0.5 * angularVelocity().dot(angularMomentum_);
+}
+
+Vec3 RigidBody::vibration(std::size_t index, const Vec3& velocity) const {
+  return velocity - velocity_ - angularVelocity().cross(arm(index));
+}
+
+void RigidBody::drift(double step, const Vec3& velocity) {
+  centre_ += step * velocity;
+  const Eigen::Quaterniond midway = turned(worldFromBody_, angularVelocity(), 0.5 * step);
+  worldFromBody_ = turned(worldFromBody_, angularVelocityAt(midway), step);
+}
+
+void RigidBody::place(NodeVectors& positions) const {
+  const Eigen::Matrix3d turn = worldFromBody_.toRotationMatrix();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) positions.set(nodes_[i], centre_ + turn * shape_[i]);
+}
+
+void RigidBody::placeVelocities(NodeVectors& velocities, const Vec3& more) const {
+  const Eigen::Matrix3d turn = worldFromBody_.toRotationMatrix();
+  const Vec3 spin = angularVelocity();
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    velocities.set(nodes_[i], velocity_ + more + spin.cross(turn * shape_[i]));
+}
+
+void RigidBody::save(ByteWriter& writer) const {
+  writer.put(fragment_);
+  writer.putVector(nodes_);
+  writer.putVector(shape_);
+  for (const double value : {mass_, radius_}) writer.put(value);
+  for (const Vec3& vector : {inverseInertia_, centre_, velocity_, angularMomentum_}) writer.put(vector);
+  for (const double value : worldFromBody_.coeffs()) writer.put(value);
+}
+
+bool RigidBody::load(ByteReader& reader, std::size_t nodeCount) {
+  reader.read(fragment_);
+  reader.readVector(nodes_);
+  reader.readVector(shape_);
+  for (double* value : {&mass_, &radius_}) reader.read(*value);
+  for (Vec3* vector : {&inverseInertia_, &centre_, &velocity_, &angularMomentum_}) reader.read(*vector);
+  for (double& value : worldFromBody_.coeffs()) reader.read(value);
+  const auto isNode = [&](NodeIndex node) { return node < nodeCount; };
+  return reader.ok() && shape_.size() == nodes_.size() && std::ranges::all_of(nodes_, isNode);
+}
+
+std::size_t RigidBody::memoryBytes() const {
+  return sizeof(*this) + nodes_.capacity() * sizeof(NodeIndex) + shape_.capacity() * sizeof(Vec3);
+}
+
+}  // namespace sim
