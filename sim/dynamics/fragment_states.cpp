@@ -6,18 +6,22 @@
 namespace sim {
 namespace {
 
-/// A fragment is at rest when its root mean square speed has been below both, for so long that it could have
-/// fallen: this share of the speed after falling by a bond's length (times sqrt(g h)), ...
+/// A fragment is at rest when the root mean square speed of its rigid motion has been below both, for so long
+/// that it could have fallen: this share of sqrt(g h), ...
 constexpr double kRestOfFall = 0.02;
-/// ... this share of the highest such speed the whole scene has had.
+/// ... this share of the highest root mean square speed the whole scene has had.
 constexpr double kRestOfPeak = 2e-3;
+/// A node that chatters between two contacts may go on: the vibration may be so many times as fast.
+constexpr double kVibration = 3.0;
 /// In units of sqrt(h / g). A fragment at the top of its flight is slow for sqrt(h / g) / 50 only.
 constexpr double kRestTime = 2.0;
-/// Neighbours lighter than this share do not keep a fragment awake, nor wake it by going away.
+/// A sleeper wakes when what moves next to it could give it so many times the speed of rest.
+constexpr double kWake = 2.0;
+/// Neighbours lighter than this share do not wake a fragment by going away.
 constexpr double kLightShare = 0.05;
 /// Strain that is nothing to speak of: this share of the bond's threshold, and never more than can be seen.
 constexpr double kCalmStrainShare = 0.25;
-constexpr double kCalmStrainMost = 5e-3;
+constexpr double kCalmStrainMost = 1e-2;
 /// What never touched anything and never broke flies rigidly only if it is as good as undeformed: somebody
 /// may want to see it ring.
 constexpr double kUndeformed = 1e-9;
@@ -59,7 +63,7 @@ void FragmentStates::noteBirths(double time) {
     record.stillSince = time;
     const FragmentId parent = world_.components.births()[fragment].parent;
     if (parent == kNone) continue;
-    record.disturbed = records_[parent].disturbed = true;
+    record.disturbed = records_[parent].disturbed = 1;
     record.skippable = records_[parent].skippable;
   }
 }
@@ -67,26 +71,50 @@ void FragmentStates::noteBirths(double time) {
 void FragmentStates::findSkippable() {
   std::vector<std::uint8_t> solid(world_.network.partNames.size(), 0);
   for (const CellCorners& corners : world_.network.cells) solid[world_.network.nodeParts[corners[0]]] = 1;
-  for (Record& record : records_) record.skippable = true;
+  for (Record& record : records_) record.skippable = 1;
   for (NodeIndex node = 0; node < world_.network.nodeCount(); ++node) {
     const bool held = !std::isfinite(world_.network.masses[node]);
     if (held || solid[world_.network.nodeParts[node]] == 0)
-      records_[world_.components.of(node)].skippable = false;
+      records_[world_.components.of(node)].skippable = 0;
   }
 }
 
-/// Sums over the nodes of each fragment that deforms; the others have their mass only.
+double FragmentStates::Sums::rigidSpeedSquared() const {
+  const double spin = angularMomentum.dot(inertia.completeOrthogonalDecomposition().solve(angularMomentum));
+  return (momentum.squaredNorm() / mass + spin) / mass;
+}
+
+/// Those of fragments that sleep have no motion, and those of rigid ones their kinetic energy and momentum.
 std::vector<FragmentStates::Sums> FragmentStates::sumFragments() {
+  const Network& network = world_.network;
   std::vector<Sums> sums(records_.size());
+  for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    const double mass = network.masses[node];
+    if (!std::isfinite(mass)) continue;
+    const Vec3 velocity = world_.now.velocity.get(node);
+    Sums& sum = sums[world_.components.of(node)];
+    sum.mass += mass;
+    sum.centre += mass * world_.now.position.get(node);
+    sum.momentum += mass * velocity;
+    sum.kinetic += 0.5 * mass * velocity.squaredNorm();
+  }
+  for (Sums& sum : sums) {
+    if (sum.mass > 0.0) sum.centre /= sum.mass;
+  }
+  for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    const double mass = network.masses[node];
+    if (!std::isfinite(mass) || !activity_.deforms(world_.components.of(node))) continue;
+    Sums& sum = sums[world_.components.of(node)];
+    const Vec3 arm = world_.now.position.get(node) - sum.centre;
+    sum.angularMomentum += mass * arm.cross(world_.now.velocity.get(node));
+    sum.inertia += mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
+  }
+  for (const RigidBody& body : bodies_) {
+    sums[body.fragment()].kinetic = body.kineticEnergy();
+    sums[body.fragment()].momentum = body.mass() * body.velocity();
+  }
   double mass = 0.0;
   double energy = 0.0;
-  for (NodeIndex node = 0; node < world_.network.nodeCount(); ++node) {
-    if (!std::isfinite(world_.network.masses[node])) continue;
-    Sums& sum = sums[world_.components.of(node)];
-    sum.mass += world_.network.masses[node];
-    sum.kinetic += 0.5 * world_.network.masses[node] * world_.now.velocity.get(node).squaredNorm();
-  }
-  for (const RigidBody& body : bodies_) sums[body.fragment()].kinetic = body.kineticEnergy();
   for (const Sums& sum : sums) {
     mass += sum.mass;
     energy += sum.kinetic;
@@ -121,11 +149,12 @@ std::vector<std::uint8_t> FragmentStates::nearSomething() const {
 }
 
 void FragmentStates::noteNeighbours() {
+  neighboursBefore_.swap(neighbours_);
   neighbours_.clear();
   world_.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
     const FragmentId a = world_.components.of(i);
     const FragmentId b = world_.components.of(j);
-    if (a != b) neighbours_.emplace_back(std::min(a, b), std::max(a, b));
+    if (a != b) neighbours_.push_back({std::min(a, b), std::max(a, b)});
   });
   std::sort(neighbours_.begin(), neighbours_.end());
   neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
@@ -133,25 +162,27 @@ void FragmentStates::noteNeighbours() {
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
     Record& record = records_[fragment];
     record.freeReviews = near[fragment] != 0 ? 0 : record.freeReviews + 1;
-    if (near[fragment] != 0) record.disturbed = true;
+    if (near[fragment] != 0) record.disturbed = 1;
   }
 }
 
-/// What is still for long enough sleeps, unless something heavy next to it does not.
+/// What is still for long enough sleeps, unless something next to it moves that could move it.
 void FragmentStates::fallAsleep(const std::vector<Sums>& sums) {
   const RestLimits limits = restLimits();
   std::vector<std::uint8_t> resting(records_.size(), 0);
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
     if (!activity_.deforms(fragment)) continue;
     const Sums& sum = sums[fragment];
-    const bool still = 2.0 * sum.kinetic < sum.mass * limits.speed * limits.speed;
+    const double most = limits.speed * limits.speed;
+    const bool still =
+        sum.rigidSpeedSquared() < most && sum.vibrationSquared() < kVibration * kVibration * most;
     if (!still) records_[fragment].stillSince = time_;
     resting[fragment] =
         records_[fragment].skippable && time_ - records_[fragment].stillSince > limits.time ? 1 : 0;
   }
   const auto disturbs = [&](FragmentId one, FragmentId other) {
     return resting[one] == 0 && activity_.stateOf(one) != FragmentState::asleep &&
-           sums[one].mass > kLightShare * sums[other].mass;
+           sums[one].momentum.norm() > limits.speed * sums[other].mass;
   };
   bool changed = true;
   while (changed) {
@@ -196,16 +227,27 @@ void FragmentStates::wakeByContact(const std::vector<Sums>& sums) {
   const double restSpeed = restLimits().speed;
   const auto asleep = [&](FragmentId f) { return activity_.stateOf(f) == FragmentState::asleep; };
   const auto strikes = [&](FragmentId one, FragmentId other) {
-    const double momentum = std::sqrt(2.0 * sums[one].mass * sums[one].kinetic);
-    return !asleep(one) && asleep(other) && momentum > sums[other].mass * restSpeed &&
-           2.0 * sums[one].kinetic > sums[one].mass * restSpeed * restSpeed;
+    return !asleep(one) && asleep(other) && sums[one].momentum.norm() > kWake * restSpeed * sums[other].mass;
   };
-  std::vector<FragmentId> woken;
+  std::vector<FragmentId> woken = leftBehind(sums);
   for (const auto& [a, b] : neighbours_) {
     if (strikes(a, b)) woken.push_back(b);
     if (strikes(b, a)) woken.push_back(a);
   }
   wakeTogether(std::move(woken), sums);
+}
+
+/// Sleepers that something heavy enough to have held them up went away from.
+std::vector<FragmentId> FragmentStates::leftBehind(const std::vector<Sums>& sums) const {
+  std::vector<FragmentId> left;
+  for (const Neighbours& pair : neighboursBefore_) {
+    if (std::ranges::binary_search(neighbours_, pair)) continue;
+    for (const auto& [one, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
+      if (activity_.stateOf(one) != FragmentState::asleep && sums[one].mass > kLightShare * sums[other].mass)
+        left.push_back(other);
+    }
+  }
+  return left;
 }
 
 void FragmentStates::wakeTogether(std::vector<FragmentId> fragments, const std::vector<Sums>& sums) {
@@ -246,13 +288,13 @@ void FragmentStates::noteColliders(double time) {
 void FragmentStates::freeze() {
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
     Record& record = records_[fragment];
-    if (!activity_.deforms(fragment) || !record.skippable || record.freeReviews < kFreeReviews) continue;
+    if (!activity_.deforms(fragment) || record.skippable == 0 || record.freeReviews < kFreeReviews) continue;
     if (record.wait > 0) {
       --record.wait;
       continue;
     }
     RigidBody body(world_.network, fragment, activity_.nodesOf(fragment), world_.now);
-    if (isCalm(body, record.disturbed)) {
+    if (isCalm(body, record.disturbed != 0)) {
       makeRigid(std::move(body));
       record.lastWait = 0;
     } else {
@@ -430,6 +472,7 @@ void FragmentStates::apply() {
 void FragmentStates::save(ByteWriter& writer) const {
   writer.putVector(activity_.states());
   writer.putVector(records_);
+  writer.putVector(neighbours_);
   writer.put<std::uint64_t>(bodies_.size());
   for (const RigidBody& body : bodies_) body.save(writer);
   writer.put(peakSpeed_);
@@ -438,11 +481,14 @@ void FragmentStates::save(ByteWriter& writer) const {
 bool FragmentStates::read(ByteReader& reader, std::size_t nodes, std::size_t fragments, Saved& saved) {
   reader.readVector(saved.states);
   reader.readVector(saved.records);
+  reader.readVector(saved.neighbours);
   std::uint64_t bodies = 0;
   reader.read(bodies);
   const auto known = [](FragmentState state) { return static_cast<std::size_t>(state) < kFragmentStates; };
   const auto rigid = std::ranges::count(saved.states, FragmentState::rigid);
   if (saved.states.size() != fragments || saved.records.size() != fragments ||
+      !std::ranges::all_of(saved.neighbours,
+                           [&](const Neighbours& n) { return n.a < fragments && n.b < fragments; }) ||
       bodies != static_cast<std::uint64_t>(rigid) || !std::ranges::all_of(saved.states, known))
     return reader.fail();
   saved.bodies.resize(static_cast<std::size_t>(bodies));
@@ -456,6 +502,7 @@ bool FragmentStates::read(ByteReader& reader, std::size_t nodes, std::size_t fra
 
 void FragmentStates::restore(Saved saved) {
   records_ = std::move(saved.records);
+  neighbours_ = std::move(saved.neighbours);
   bodies_ = std::move(saved.bodies);
   peakSpeed_ = saved.peakSpeed;
   activity_.restore(std::move(saved.states), world_.components);

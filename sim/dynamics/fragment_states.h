@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <compare>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "sim/contact/contacts.h"
@@ -93,12 +94,28 @@ class FragmentStates {
     std::uint32_t freeReviews = 0;  ///< since it touched anything
     std::uint32_t wait = 0;         ///< reviews until it is looked at again
     std::uint32_t lastWait = 0;
-    bool skippable = false;
-    bool disturbed = false;  ///< touched something once, or came of what broke
+    // Not bool, so that nothing is padding: checkpoints hold the bytes.
+    std::uint16_t skippable = 0;
+    std::uint16_t disturbed = 0;  ///< touched something once, or came of what broke
   };
+  /// Two fragments that may touch.
+  struct Neighbours {
+    FragmentId a = kNone;  ///< the lower
+    FragmentId b = kNone;
+    auto operator<=>(const Neighbours&) const = default;
+  };
+  /// How a fragment moves.
   struct Sums {
     double mass = 0.0;     ///< g
     double kinetic = 0.0;  ///< erg
+    Vec3 centre = Vec3::Zero();
+    Vec3 momentum = Vec3::Zero();                       ///< g cm/s
+    Vec3 angularMomentum = Vec3::Zero();                ///< about the centre, g cm^2/s
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre, g cm^2
+
+    /// Squared root mean square speeds of the rigid motion and of the vibration beside it, cm^2/s^2.
+    double rigidSpeedSquared() const;
+    double vibrationSquared() const { return std::max(0.0, 2.0 * kinetic / mass - rigidSpeedSquared()); }
   };
   struct RestLimits {
     double speed = 0.0;  ///< cm/s
@@ -108,6 +125,7 @@ class FragmentStates {
   void findSkippable();
   RestLimits restLimits() const;
   std::vector<Sums> sumFragments();
+  std::vector<FragmentId> leftBehind(const std::vector<Sums>& sums) const;
   void noteNeighbours();
   std::vector<std::uint8_t> nearSomething() const;
   void fallAsleep(const std::vector<Sums>& sums);
@@ -132,7 +150,8 @@ class FragmentStates {
   Activity activity_;
   std::vector<Record> records_;  ///< by fragment
   std::vector<RigidBody> bodies_;
-  std::vector<std::pair<FragmentId, FragmentId>> neighbours_;  ///< in the contact rows, ascending
+  std::vector<Neighbours> neighbours_;        ///< in the contact rows, ascending
+  std::vector<Neighbours> neighboursBefore_;  ///< at the look before
   std::array<std::uint64_t, kFragmentStates> bonds_{};
   double typicalLength_ = 0.0;  ///< cm: mean distance of a node's nearest neighbour
   double peakSpeed_ = 0.0;      ///< cm/s: highest root mean square speed of everything so far
@@ -144,6 +163,7 @@ class FragmentStates {
 struct FragmentStates::Saved {
   std::vector<FragmentState> states;
   std::vector<Record> records;
+  std::vector<Neighbours> neighbours;
   std::vector<RigidBody> bodies;
   double peakSpeed = 0.0;
 };

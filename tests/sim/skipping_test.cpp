@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "sim/dynamics/rigid_body.h"
+#include "tests/support/spring_network.h"
+
+// What is skipped (B4), and that the result stays what it is without.
+
+namespace {
+
+using sim::FragmentState;
+using sim::Vec3;
+
+sim::Material brittle() {
+  sim::Material material{.name = "brittle"};
+  material.thresholdMean = 0.1;
+  return material;
+}
+
+/// A small block of something soft and well damped, so that it comes to rest soon.
+tests::Block cube(double height, double speed = 0.0) {
+  tests::Block block;
+  block.youngsModulus = 1e6;
+  block.dampingTime = 2e-3;
+  block.material = brittle();
+  block.corner = Vec3(0.0, 0.0, height);
+  block.velocity = Vec3(0.0, 0.0, -speed);
+  return block;
+}
+
+sim::Settings withSkips(bool on) {
+  sim::Settings settings;
+  settings.threads = 1;
+  settings.contact.dampingRatio = 0.8;
+  settings.skip.sleep = settings.skip.rigid = on;
+  return settings;
+}
+
+sim::Environment dampedFloor() {
+  sim::Environment environment = tests::earth();
+  environment.colliders[0].dampingRatio = 0.8;
+  return environment;
+}
+
+std::size_t fragmentsThat(const sim::Simulation& simulation, FragmentState state) {
+  const sim::Snapshot snapshot = simulation.snapshot();
+  return static_cast<std::size_t>(std::count_if(snapshot.fragments.begin(), snapshot.fragments.end(),
+                                                [&](const auto& f) { return f.state == state; }));
+}
+
+double furthestApart(const sim::Simulation& one, const sim::Simulation& other) {
+  const auto a = one.snapshot().positions;
+  const auto b = other.snapshot().positions;
+  double most = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n) most = std::max(most, (a[n] - b[n]).norm());
+  return most;
+}
+
+TEST_CASE("an undeformed body in flight is carried as a rigid one, and lands as if it had not been") {
+  tests::Block block = cube(4.0, 100.0);
+  const auto skipping = tests::simulation(tests::block(block), withSkips(true), dampedFloor());
+  const auto full = tests::simulation(tests::block(block), withSkips(false), dampedFloor());
+  // It reaches the floor at 0.0326 s.
+  tests::run(*skipping, 0.02);
+  tests::run(*full, 0.02);
+  CHECK(fragmentsThat(*skipping, FragmentState::rigid) == 1);
+  CHECK(skipping->work().bondsRigid > 0);
+  CHECK(full->work().bondsRigid == 0);
+  CHECK(skipping->work().bondsEvaluated < full->work().bondsEvaluated / 2);
+  // Rounding only: the centre follows the same recurrence, and nothing turns.
+  CHECK(furthestApart(*skipping, *full) < 1e-12);
+  CHECK((skipping->snapshot().velocities[0] - full->snapshot().velocities[0]).norm() < 1e-9);
+  tests::run(*skipping, 0.04);
+  tests::run(*full, 0.04);
+  CHECK(fragmentsThat(*skipping, FragmentState::rigid) == 0);
+  CHECK(furthestApart(*skipping, *full) < 1e-9);
+}
+
+TEST_CASE("a rigid body in flight keeps momentum and angular momentum") {
+  sim::Blueprint blueprint = tests::block({.nx = 1, .ny = 2, .nz = 4});
+  const Vec3 spin(3.0, 20.0, 7.0);
+  for (sim::Blueprint::Node& node : blueprint.nodes)
+    node.velocity = Vec3(5.0, 1.0, 2.0) + spin.cross(node.position);
+  const sim::Network network = tests::built(blueprint);
+  sim::Motion motion{sim::NodeVectors(network.nodeCount()), sim::NodeVectors(network.nodeCount())};
+  std::vector<sim::NodeIndex> nodes;
+  for (sim::NodeIndex n = 0; n < network.nodeCount(); ++n) {
+    nodes.push_back(n);
+    motion.position.set(n, network.positions[n]);
+    motion.velocity.set(n, network.velocities[n]);
+  }
+  const auto moments = [&] {
+    std::pair<Vec3, Vec3> sum{Vec3::Zero(), Vec3::Zero()};
+    for (const sim::NodeIndex n : nodes) {
+      sum.first += network.masses[n] * motion.velocity.get(n);
+      sum.second += network.masses[n] * motion.position.get(n).cross(motion.velocity.get(n));
+    }
+    return sum;
+  };
+  const auto before = moments();
+  sim::RigidBody body(network, 0, nodes, motion);
+  const double energy = body.kineticEnergy();
+  for (int step = 0; step < 10000; ++step) body.drift(1e-4, body.velocity());
+  body.place(motion.position);
+  body.placeVelocities(motion.velocity);
+  const auto after = moments();
+  CHECK((after.first - before.first).norm() < 1e-12 * before.first.norm());
+  CHECK((after.second - before.second).norm() < 1e-10 * before.second.norm());
+  // Some four turns in 10,000 steps of 2e-3 rad: the midpoint rule is off by (2e-3)^2 times a few.
+  CHECK(body.kineticEnergy() == Approx(energy).epsilon(1e-5));
+  // Distances are kept.
+  const double length = (network.positions[7] - network.positions[0]).norm();
+  CHECK((motion.position.get(7) - motion.position.get(0)).norm() == Approx(length).epsilon(1e-12));
+}
+
+TEST_CASE("what rests sleeps where it lies, and costs nothing") {
+  const auto skipping = tests::simulation(tests::block(cube(0.5)), withSkips(true), dampedFloor());
+  const auto full = tests::simulation(tests::block(cube(0.5)), withSkips(false), dampedFloor());
+  tests::run(*skipping, 1.0);
+  tests::run(*full, 1.0);
+  REQUIRE(fragmentsThat(*skipping, FragmentState::asleep) == 1);
+  // It slept when slower than 0.02 sqrt(g h) = 0.6 cm/s for 0.06 s, so it was about 0.04 cm from where it
+  // would end.
+  CHECK(furthestApart(*skipping, *full) < 0.04);
+  CHECK(skipping->maxRise() < 1e-3);
+  const sim::Work before = skipping->work();
+  const std::uint64_t steps = skipping->stepCount();
+  tests::run(*skipping, 2.0);
+  CHECK(skipping->work().bondsEvaluated == before.bondsEvaluated);
+  CHECK(skipping->stepCount() > steps + 100);
+  CHECK(skipping->time() == Approx(2.0).epsilon(1e-3));
+}
+
+TEST_CASE("when frames are asked for does not show in what sleeps or flies") {
+  const auto whole = tests::simulation(tests::block(cube(3.0)), withSkips(true), dampedFloor());
+  const auto frames = tests::simulation(tests::block(cube(3.0)), withSkips(true), dampedFloor());
+  tests::run(*whole, 1.5);
+  for (int frame = 1; frame <= 150; ++frame) {
+    tests::run(*frames, 0.01 * frame);
+    static_cast<void>(frames->snapshot());
+  }
+  REQUIRE(fragmentsThat(*whole, FragmentState::asleep) == 1);
+  CHECK(whole->stepCount() == frames->stepCount());
+  CHECK(whole->stateHash() == frames->stateHash());
+  CHECK(whole->work().bondsRigid > 0);
+}
+
+TEST_CASE("a run that sleeps or flies resumes bit for bit, on any number of threads") {
+  const double cut = GENERATE(0.02, 0.3, 1.0);
+  sim::Settings settings = withSkips(true);
+  const auto whole = tests::simulation(tests::twoBlocks(cube(3.0), 0.3, 20.0), settings, dampedFloor());
+  tests::run(*whole, cut);
+  const auto checkpoint = whole->checkpoint();
+  settings.threads = 2;
+  const auto resumed = tests::simulation(tests::twoBlocks(cube(3.0), 0.3, 20.0), settings, dampedFloor());
+  REQUIRE(resumed->restore(checkpoint).ok());
+  CHECK(resumed->checkpoint() == checkpoint);
+  tests::run(*whole, 1.4);
+  tests::run(*resumed, 1.4);
+  CHECK(whole->stateHash() == resumed->stateHash());
+  CHECK(fragmentsThat(*whole, FragmentState::asleep) == fragmentsThat(*resumed, FragmentState::asleep));
+}
+
+TEST_CASE("a change of gravity wakes the sleepers") {
+  sim::Track track;
+  track.target = sim::TrackTarget::gravityScale;
+  track.interpolation = sim::Interpolation::step;
+  track.keys = {{0.0, Vec3(1.0, 0.0, 0.0)}, {1.5, Vec3(-1.0, 0.0, 0.0)}};
+  const auto run = tests::simulation(tests::block(cube(0.1)), withSkips(true), dampedFloor(), {track});
+  tests::run(*run, 1.49);
+  REQUIRE(fragmentsThat(*run, FragmentState::asleep) == 1);
+  tests::run(*run, 1.6);
+  // It falls upwards for 0.1 s: g t^2 / 2 = 4.9 cm.
+  const sim::Snapshot snapshot = run->snapshot();
+  CHECK(snapshot.fragments[0].state != FragmentState::asleep);
+  CHECK(snapshot.fragments[0].boxMin.z() == Approx(4.9).margin(0.3));
+}
+
+TEST_CASE("a collider that comes along pushes a sleeper") {
+  sim::Environment environment = dampedFloor();
+  sim::Collider& ball = environment.colliders.emplace_back();
+  ball.name = "ball";
+  ball.shape = sim::ColliderShape::sphere;
+  ball.radius = 1.0;
+  sim::Track track;
+  track.target = sim::TrackTarget::colliderPosition;
+  track.object = 1;
+  track.keys = {{1.0, Vec3(-6.0, 1.0, 1.0)}, {1.5, Vec3(4.0, 1.0, 1.0)}};
+  const auto run = tests::simulation(tests::block(cube(0.1)), withSkips(true), environment, {track});
+  tests::run(*run, 1.0);
+  REQUIRE(fragmentsThat(*run, FragmentState::asleep) == 1);
+  tests::run(*run, 1.5);
+  CHECK(run->snapshot().fragments[0].boxMin.x() > 2.0);
+}
+
+TEST_CASE("what falls on a sleeper wakes it") {
+  tests::Block block = cube(0.0);
+  block.youngsModulus = 1e7;
+  block.dampingTime = 5e-4;
+  block.material = {.name = "tough"};
+  sim::Blueprint blueprint = tests::block(block);
+  block.corner = Vec3(0.0, 0.0, 100.0);
+  tests::append(blueprint, tests::block(block));
+  const auto run = tests::simulation(blueprint, withSkips(true), dampedFloor());
+  // The second falls the 98 cm in 0.447 s.
+  tests::run(*run, 0.43);
+  REQUIRE(fragmentsThat(*run, FragmentState::asleep) == 1);
+  REQUIRE(fragmentsThat(*run, FragmentState::rigid) == 1);
+  const double before = run->snapshot().fragments[0].centre.z();
+  tests::run(*run, 0.45);
+  CHECK(fragmentsThat(*run, FragmentState::deforming) == 2);
+  CHECK(run->snapshot().fragments[0].centre.z() < before - 0.05);
+}
+
+TEST_CASE("a body that rings is left to ring, and springs without cells are never skipped") {
+  SECTION("a block that was let go stretched by a thousandth") {
+    sim::Blueprint blueprint = tests::block({.youngsModulus = 1e6, .material = brittle()});
+    for (sim::Blueprint::Node& node : blueprint.nodes) node.position *= 1.001;
+    const auto run = tests::simulation(blueprint, withSkips(true), tests::weightless());
+    tests::run(*run, 0.2);
+    CHECK(run->work().bondsRigid == 0);
+    CHECK(fragmentsThat(*run, FragmentState::deforming) == 1);
+  }
+  SECTION("a chain that lies on the floor") {
+    sim::Blueprint blueprint = tests::chain(5, 1e5, 30.0);
+    const auto run = tests::simulation(blueprint, withSkips(true), dampedFloor());
+    tests::run(*run, 1.0);
+    CHECK(run->work().bondsAsleep == 0);
+    CHECK(run->work().bondsRigid == 0);
+  }
+}
+
+}  // namespace
