@@ -50,7 +50,7 @@ void Contacts::activate(Row& row, const Moment& moment) {
     const double distance = (moment.motion.position.get(entry.other) - here).norm();
     if (distance < entry.rho) {
       ++row.active;
-    } else {
+    } else if (!moment.trial) {
       entry.rho = std::min(entry.natural, distance);
     }
   }

@@ -45,7 +45,8 @@ class Contacts {
     const Motion& motion;
     std::span<const MovingCollider> colliders;
     std::span<const MaterialNow> materials;
-    double kick = 0.0;  ///< s: how long the forces act, for the clamp of friction and the colliders' work
+    double kick = 0.0;   ///< s: how long the forces act, for the clamp of friction and the colliders' work
+    bool trial = false;  ///< a state on the way, or one that may be thrown away: nothing of it is remembered
   };
 
   /// A bond broke at this rest length: it goes on repelling.

@@ -84,8 +84,9 @@ struct KernelStep {
 /// What a block reports of a step.
 struct BlockReport {
   double largestSpeedSquared = 0.0;  ///< cm^2/s^2 of v'; not finite when something blew up
-  double dissipated = 0.0;           ///< erg: work against dampers, friction and plastic flow
-  bool suspect = false;              ///< some bond is stretched past the smallest threshold of its slot
+  double dissipated =
+      0.0;               ///< erg: work against dampers, friction and plastic flow; erg/s if accelerationOnly
+  bool suspect = false;  ///< some bond is stretched past the smallest threshold of its slot
 };
 
 using StepBlocks = void (*)(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock,

@@ -148,7 +148,8 @@ inline void addExternal(const KernelStep& step, std::size_t node, Gathered& sum)
   sum.forceZ += load(step.external[2] + node) - load(step.externalLossy[2] + node);
 }
 
-/// Kick and drift of one coordinate; returns the work done against lossy forces.
+/// Kick and drift of one coordinate; returns the work done against lossy forces, or
+/// its rate where only accelerations are wanted.
 inline Real moveAxis(const KernelStep& step, int axis, std::size_t node, const Real& position,
                      const Real& velocity, const Real& force, const Real& lossy, const Real& inverseMass,
                      Real& speedSquared) {
@@ -156,7 +157,7 @@ inline Real moveAxis(const KernelStep& step, int axis, std::size_t node, const R
   where(inverseMass == 0.0, acceleration) = 0.0;
   if (step.accelerationOnly) {
     acceleration.copy_to(step.nextVelocity[axis] + node, stdx::element_aligned);
-    return 0.0;
+    return -lossy * velocity;
   }
   const Real next = velocity + step.kick * acceleration;
   const Real moved = position + step.drift * (step.driftByOldVelocity ? velocity : next);

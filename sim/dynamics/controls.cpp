@@ -107,6 +107,19 @@ double Controls::constantUntil(double time) const {
   return until;
 }
 
+std::vector<MovingCollider> Controls::collidersAhead(double ahead) const {
+  std::vector<MovingCollider> moved = colliders_;
+  for (MovingCollider& collider : moved) {
+    collider.shape.position += ahead * collider.velocity;
+    const double angle = ahead * collider.angularVelocity.norm();
+    if (angle != 0.0) {
+      const Eigen::AngleAxisd turn(angle, collider.angularVelocity.normalized());
+      collider.shape.rotation = turn * collider.shape.rotation;
+    }
+  }
+  return moved;
+}
+
 void Controls::setFlow(const Network& network, double step) {
   for (std::size_t m = 0; m < materials_.size(); ++m)
     materials_[m].flow = std::min(1.0, network.materials[m].flowRate * step);

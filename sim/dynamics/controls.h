@@ -24,6 +24,8 @@ class Controls {
 
   const Vec3& gravity() const { return gravity_; }
   const std::vector<MovingCollider>& colliders() const { return colliders_; }
+  /// As they will be `ahead` seconds from now, if they go on as they move now.
+  std::vector<MovingCollider> collidersAhead(double ahead) const;
   const std::vector<MaterialNow>& materials() const { return materials_; }
   /// Rest lengths flow by a share of the excess strain that depends on the step.
   void setFlow(const Network& network, double step);

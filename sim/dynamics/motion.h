@@ -39,6 +39,9 @@ class NodeVectors {
   std::array<AlignedVector<double>, 3> arrays_;
 };
 
+/// Light moves at 3e10 cm/s, and nothing faster: stopping there keeps all energies finite in what is kept.
+inline constexpr double kLightSpeedSquared = 9e20;
+
 /// Positions at one time and velocities, which for velocity Verlet are half a step behind (leapfrog; see
 /// Stepper).
 struct Motion {

@@ -5,7 +5,8 @@
 namespace sim {
 
 const std::vector<std::string>& methodNames() {
-  static const std::vector<std::string> names = {"forward-euler", "symplectic-euler", "velocity-verlet"};
+  static const std::vector<std::string> names = {"forward-euler", "symplectic-euler", "velocity-verlet",
+                                                 "rk4"};
   return names;
 }
 

@@ -9,9 +9,9 @@
 
 namespace sim {
 
-enum class Method { forwardEuler, symplecticEuler, velocityVerlet };
+enum class Method { forwardEuler, symplecticEuler, velocityVerlet, rungeKutta };
 
-/// "forward-euler", "symplectic-euler", "velocity-verlet"; nothing for any other name.
+/// "forward-euler", "symplectic-euler", "velocity-verlet", "rk4"; nothing for any other name.
 std::optional<Method> methodFromName(std::string_view name);
 std::string_view nameOf(Method method);
 /// Of the leapfrog family: one force a step, velocities kicked, positions drifted.

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "sim/base/random.h"
+#include "sim/dynamics/methods/runge_kutta.h"
 
 namespace sim {
 namespace {
@@ -202,6 +203,7 @@ double stableStep(const Spectrum& spectrum, const Stiffening& stiffening, Method
   const double rate =
       spectrum.longestDamping * stiffening.dampingScale * internal + stiffening.contactDamping;
   const double zeta = rate / (2.0 * total);
+  if (method == Method::rungeKutta) return safety * rungeKuttaReach(zeta) / total;
   // sqrt(1 + zeta^2) - zeta without its cancellation where damping is strong.
   const double step = safety * (2.0 / total) / (std::sqrt(1.0 + zeta * zeta) + zeta);
   if (method != Method::forwardEuler) return step;

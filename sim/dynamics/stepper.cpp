@@ -14,8 +14,6 @@ constexpr std::uint64_t kStepsPerLedger = 64;
 constexpr std::size_t kBlockGrain = 32;
 /// An automatic step grows only when it may by this much: every change costs Verlet its symmetry in time.
 constexpr double kStepGrowth = 1.1;
-/// Light moves at 3e10 cm/s, and nothing faster: stopping there keeps all energies finite in what is kept.
-constexpr double kLightSpeedSquared = 9e20;
 /// Frames are due when the time is within this share of a step.
 constexpr double kTimeSlack = 1e-6;
 
@@ -45,11 +43,16 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
                   inverseMasses_},
                  settings.skip),
       reports_(layout_.blockCount()),
+      oneStep_(oneStepMethod(settings.method, network_.nodeCount())),
       moreThreads_(allowThreads(settings.threads)),
       arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
   const std::size_t count = network_.nodeCount();
   forces_ = {NodeVectors(count), NodeVectors(count), std::vector<std::uint8_t>(layout_.blockCount(), 0)};
   inverseMasses_.assign(NodeVectors::paddedCount(count), 0.0);
+  if (oneStep_) {
+    startRates_ = {NodeVectors(count)};
+    endRates_ = startRates_;
+  }
   for (std::size_t node = 0; node < count; ++node) {
     now_.position.set(node, network_.positions[node]);
     now_.velocity.set(node, network_.velocities[node]);
@@ -66,7 +69,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
 }
 
 double Stepper::kick() const {
-  return settings_.method == Method::velocityVerlet ? 0.5 * (lastStep_ + step_) : step_;
+  return settings_.method == Method::velocityVerlet ? 0.5 * (lastStep_ + step_) : wantedStep_;
 }
 
 Contacts::Moment Stepper::moment() const {
@@ -89,6 +92,7 @@ void Stepper::applyControls() {
   }
   const double before = energyChanges ? potentialEnergy() : 0.0;
   controls_ = std::move(ahead);
+  startKnown_ = false;
   contacts_.moveColliders(controls_.colliderTravel());
   if (energyChanges) {
     refreshContacts();
@@ -110,12 +114,13 @@ void Stepper::refreshContacts() {
   contacts_.rebuild(now_, components_, breakage_, controls_.colliders());
   ++work_.neighbourLists;
   fragments_.noteNewRows(time());
+  startKnown_ = false;
   chooseStep();
 }
 
 void Stepper::chooseStep() {
   if (settings_.step) {
-    setStep(*settings_.step);
+    want(*settings_.step);
     return;
   }
   const Contacts::Stiffest stiffest = contacts_.stiffest(moment());
@@ -125,7 +130,14 @@ void Stepper::chooseStep() {
   // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
   constexpr double kLongest = 1e-2;
   const double wanted = std::min(stable, kLongest);
-  if (step_ == 0.0 || wanted < step_ || wanted > kStepGrowth * step_) setStep(wanted);
+  if (wantedStep_ == 0.0 || wanted < wantedStep_ || wanted > kStepGrowth * wantedStep_) want(wanted);
+}
+
+void Stepper::want(double step) {
+  if (step != wantedStep_) startKnown_ = false;  // friction knows how long it acts
+  wantedStep_ = step;
+  // What a one-step method has just done was done in the step that it was done in.
+  if (!oneStep_ || step_ == 0.0) setStep(step);
 }
 
 void Stepper::setStep(double step) {
@@ -189,7 +201,7 @@ Result<double> Stepper::moveByLeapfrog() {
     ledger_.addDissipated(work.dissipated);
     work_.contactPairs += contacts_.pairCount();
   }
-  ledger_.addOutsideWork(carryingWork(forces_, kick()));
+  ledger_.addOutsideWork(carryingWork(now_, forces_, kick()));
   KernelStep step = kernelStep(now_, next_);
   step.kick = kick();
   step.drift = step_;
@@ -207,7 +219,7 @@ void Stepper::countWork() {
   const std::uint64_t asleep = fragments_.bondsIn(FragmentState::asleep);
   const std::uint64_t skipped = breakage_.brokenBondCount() + rigid + asleep;
   ++work_.steps;
-  work_.bondsEvaluated += network_.bondCount() - skipped;
+  if (!oneStep_) work_.bondsEvaluated += network_.bondCount() - skipped;  // the others count where they look
   work_.bondsSkipped += skipped;
   work_.bondsRigid += rigid;
   work_.bondsAsleep += asleep;
@@ -216,7 +228,7 @@ void Stepper::countWork() {
 
 Status Stepper::stepInArena() {
   const bool moving = !fragments_.noneDeforms();
-  const Result<double> travel = moveByLeapfrog();
+  const Result<double> travel = oneStep_ ? moveByOneStep() : moveByLeapfrog();
   if (!travel) return travel.problem();
   countWork();
   lastStep_ = step_;

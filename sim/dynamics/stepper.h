@@ -6,6 +6,7 @@
 #include "sim/dynamics/controls.h"
 #include "sim/dynamics/fragment_states.h"
 #include "sim/dynamics/ledger.h"
+#include "sim/dynamics/methods/one_step_method.h"
 #include "sim/dynamics/simulation.h"
 #include "sim/dynamics/stable_step.h"
 
@@ -13,7 +14,8 @@ namespace sim {
 
 /// The inside of Simulation: one step after the other.
 ///
-/// All three methods are one recurrence, v' = v + kick a(x, v), x' = x + drift w (bond_kernel.h):
+/// The methods of the leapfrog family are one recurrence, v' = v + kick a(x, v), x' = x + drift w
+/// (bond_kernel.h):
 /// - velocity Verlet as leapfrog: v is half a step behind x (Motion), kick is half the last step plus half
 /// the next (zero at
 ///   the start), w = v'. The velocity at the time of x is v + half the last step times a, computed only where
@@ -21,9 +23,11 @@ namespace sim {
 ///   (LAMMPS fix nve), with dampers and friction acting on the half-step velocity as there.
 /// - symplectic Euler: kick = dt, w = v'.
 /// - forward Euler exactly as printed (paper, "Dynamics"; P7): kick = dt, w = v, the old velocity.
+/// The others are a OneStepMethod each, with x and v of the same moment.
 ///
 /// Order within a step: contact forces; kernel (forces of bonds, move); then bonds that were overstretched at
-/// the step's beginning break, their cells with them, and fragments are relabelled; then tracks make the
+/// the step's beginning break (one-step methods: at its end, which is where the first of them breaks), their
+/// cells with them, and fragments are relabelled; then tracks make the
 /// world that of the new moment, and contact rows are rebuilt, if stale. So between steps all is of one
 /// moment, but for the half kick.
 class Stepper {
@@ -67,6 +71,17 @@ class Stepper {
   Status stepInArena();
   /// Moves now_ one step on; gives how far a node went at most, cm.
   Result<double> moveByLeapfrog();
+  // One-step methods (stepper_one_step.cpp).
+  class TrialWorld;
+  Result<double> moveByOneStep();
+  void ratesAt(const Motion& at, double ahead, Rates& rates);
+  void makeStartKnown();
+  void flowPlastically();
+  double worstExcess(std::span<const Breakage::Overstretched> bonds, const Motion& motion) const;
+  OneStepMethod::Flow locateBreak(std::span<const Breakage::Overstretched> bonds, OneStepMethod::Flow flow,
+                                  double& length);
+  Status checkSpeeds(double& fastest) const;
+
   void applyControls();
   void refreshContacts();
   void finishKick();
@@ -76,9 +91,11 @@ class Stepper {
   void countWork();
   Present presentBy(Contacts& contacts, Contacts::Forces& forces) const;
   double elasticEnergyNow() const;
-  double carryingWork(const Contacts::Forces& forces, double kick) const;
-  Vec3 bondForce(NodeIndex node, NodeIndex neighbour) const;
+  double carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const;
+  Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;
   void chooseStep();
+  /// Of the next step, s: of this very one for methods that can change it at any time.
+  void want(double step);
   void setStep(double step);
   /// s: how long this step's forces act on the velocities.
   double kick() const;
@@ -88,8 +105,10 @@ class Stepper {
   /// Sums the blocks' reports; a Problem when a speed is not finite.
   Status readReports(double& travel);
   void breakOverstretched();
-  std::vector<Breakage::Overstretched> findOverstretched() const;
-  float strainBefore(BondIndex bond) const;
+  std::vector<Breakage::Overstretched> findOverstretched(const Motion& motion) const;
+  double strainIn(const Motion& motion, BondIndex bond) const;
+  /// The state in which bonds that have just been found break: of one-step methods, the present one.
+  const Motion& breakingMotion() const { return oneStep_ ? now_ : next_; }
   void loseBond(const BreakEvent& event);
   Status watchEnergy();
   Problem blowUp(const char* what) const;
@@ -114,13 +133,19 @@ class Stepper {
   std::vector<NodeIndex> carried_;  ///< held nodes that move
   Contacts::Forces forces_;
   std::vector<BlockReport> reports_;
+  std::unique_ptr<OneStepMethod> oneStep_;  ///< none: the method is of the leapfrog family
+  Rates startRates_;                        ///< of now_, if they are known; one-step methods only
+  Rates endRates_;
+  bool startKnown_ = false;
   std::vector<BreakEvent> events_;
   Work work_;
 
   double segmentStart_ = 0.0;  ///< s: when the present step size began
   std::uint64_t segmentSteps_ = 0;
-  double step_ = 0.0;                               ///< s
-  double lastStep_ = 0.0;                           ///< s: of the step before; zero at the start
+  double step_ = 0.0;  ///< s
+  double wantedStep_ =
+      0.0;                 ///< s: the next step, unless a break cuts it short; of the leapfrog family, step_
+  double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
   double controlsTime_ = 0.0;                       ///< s: when the tracks were last applied
   std::optional<tbb::global_control> moreThreads_;  ///< TBB would not give more than the processor has
   mutable tbb::task_arena arena_;

@@ -5,16 +5,15 @@
 
 namespace sim {
 
-/// Strain at the beginning of the step just done, whose positions stand in next_ after the swap.
-float Stepper::strainBefore(BondIndex bond) const {
+double Stepper::strainIn(const Motion& motion, BondIndex bond) const {
   const NodeIndex a = network_.bondStart(bond);
   const NodeIndex b = network_.bondEnds[bond];
-  const double length = (next_.position.get(b) - next_.position.get(a)).norm();
-  return static_cast<float>(length / layout_.restLength(network_, bond) - 1.0);
+  const double length = (motion.position.get(b) - motion.position.get(a)).norm();
+  return length / layout_.restLength(network_, bond) - 1.0;
 }
 
 /// The exact test, for the rows of suspect blocks only.
-std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
+std::vector<Breakage::Overstretched> Stepper::findOverstretched(const Motion& motion) const {
   std::vector<Breakage::Overstretched> found;
   for (const std::size_t block : fragments_.activity().activeBlocks()) {
     if (!reports_[block].suspect) continue;
@@ -22,7 +21,7 @@ std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
     for (std::size_t node = block * kBlockNodes; node < end; ++node) {
       for (BondIndex bond = network_.firstBond[node]; bond < network_.firstBond[node + 1]; ++bond) {
         if (breakage_.bondBroken(bond)) continue;
-        const float strain = strainBefore(bond);
+        const auto strain = static_cast<float>(strainIn(motion, bond));
         if (strain > network_.thresholds[bond]) found.push_back({bond, strain});
       }
     }
@@ -33,14 +32,15 @@ std::vector<Breakage::Overstretched> Stepper::findOverstretched() const {
 /// Takes a broken bond out of the lattice. Its tension energy is dropped, by rule 1 of docs/numerics.md; in
 /// compression it keeps its energy and goes on repelling (P4). The bond's last kick carried velocities from
 /// half a step before to half a step behind, so what is dropped is the mean of its energies before and after:
-/// either alone would leave the account wrong in first order of the step.
+/// either alone would leave the account wrong in first order of the step. With one-step methods both are the
+/// present one.
 void Stepper::loseBond(const BreakEvent& event) {
   const BondClass& bond = network_.bond(event.bond);
   const double restLength = layout_.restLength(network_, event.bond);
   const auto extensionIn = [&](const Motion& motion) {
     return (motion.position.get(event.b) - motion.position.get(event.a)).norm() - restLength;
   };
-  const double before = std::max(0.0, extensionIn(next_));
+  const double before = std::max(0.0, extensionIn(breakingMotion()));
   const double after = extensionIn(now_);
   const double stiffness = bond.stiffness * controls_.materials()[bond.material].stiffnessScale;
   if (after > 0.0) ledger_.addReleased(0.25 * stiffness * (before * before + after * after));
@@ -49,11 +49,12 @@ void Stepper::loseBond(const BreakEvent& event) {
 }
 
 void Stepper::breakOverstretched() {
-  const std::vector<Breakage::Overstretched> overstretched = findOverstretched();
+  const std::vector<Breakage::Overstretched> overstretched = findOverstretched(breakingMotion());
   if (overstretched.empty()) return;
   const std::size_t before = events_.size();
-  breakage_.breakBonds(
-      overstretched, time() - step_, [&](BondIndex bond) { return strainBefore(bond); }, events_);
+  const auto strainOf = [&](BondIndex bond) { return static_cast<float>(strainIn(breakingMotion(), bond)); };
+  breakage_.breakBonds(overstretched, oneStep_ ? time() : time() - step_, strainOf, events_);
+  startKnown_ = false;
   const std::span<const BreakEvent> fresh = std::span<const BreakEvent>(events_).subspan(before);
   for (const BreakEvent& event : fresh) loseBond(event);
   if (components_.relabel(layout_, fresh, time())) {

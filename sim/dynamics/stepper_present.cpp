@@ -22,13 +22,13 @@ LedgerRow Stepper::drawLedger(const Present& present) const {
 }
 
 /// As in the kernel.
-Vec3 Stepper::bondForce(NodeIndex node, NodeIndex neighbour) const {
+Vec3 Stepper::bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const {
   const BondIndex index = network_.findBond(node, neighbour);
   const BondClass& bond = network_.bond(index);
   const MaterialNow& material = controls_.materials()[bond.material];
-  const Vec3 apart = now_.position.get(neighbour) - now_.position.get(node);
+  const Vec3 apart = at.position.get(neighbour) - at.position.get(node);
   const Vec3 along = apart.normalized();
-  const double rate = (now_.velocity.get(neighbour) - now_.velocity.get(node)).dot(along);
+  const double rate = (at.velocity.get(neighbour) - at.velocity.get(node)).dot(along);
   const double extension = apart.norm() - layout_.restLength(network_, index);
   return (bond.stiffness * material.stiffnessScale * extension +
           bond.damping * material.dampingScale * rate) *
@@ -36,13 +36,13 @@ Vec3 Stepper::bondForce(NodeIndex node, NodeIndex neighbour) const {
 }
 
 /// What whoever carries held nodes along does against the forces on them during a kick, erg.
-double Stepper::carryingWork(const Contacts::Forces& forces, double kick) const {
+double Stepper::carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const {
   double work = 0.0;
   for (const NodeIndex node : carried_) {
     Vec3 force = Vec3::Zero();
     if (forces.touched[node / kBlockNodes] != 0) force += forces.total.get(node);
-    layout_.forEachNeighbour(node, [&](NodeIndex neighbour) { force += bondForce(node, neighbour); });
-    work -= kick * force.dot(now_.velocity.get(node));
+    layout_.forEachNeighbour(node, [&](NodeIndex neighbour) { force += bondForce(at, node, neighbour); });
+    work -= kick * force.dot(at.velocity.get(node));
   }
   return work;
 }
@@ -73,7 +73,7 @@ Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces
   runKernel(step, reports);
   const double share = halfKick / kick();
   Present present{std::move(ahead.velocity), share * work.dissipated,
-                  share * work.outside + carryingWork(forces, halfKick)};
+                  share * work.outside + carryingWork(now_, forces, halfKick)};
   for (const std::uint32_t block : fragments_.activity().activeBlocks())
     present.dissipated += reports[block].dissipated;
   fragments_.placeVelocities(present.velocity, halfKick);

@@ -1,0 +1,19 @@
+#include "sim/dynamics/methods/one_step_method.h"
+
+#include "sim/dynamics/methods/runge_kutta.h"
+
+namespace sim {
+
+std::unique_ptr<OneStepMethod> oneStepMethod(Method method, std::size_t nodeCount) {
+  switch (method) {
+    case Method::forwardEuler:
+    case Method::symplecticEuler:
+    case Method::velocityVerlet:
+      return nullptr;
+    case Method::rungeKutta:
+      return std::make_unique<RungeKutta>(nodeCount);
+  }
+  return nullptr;
+}
+
+}  // namespace sim
