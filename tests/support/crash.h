@@ -9,6 +9,7 @@ struct CrashOptions {
   bool large = false;  ///< enough nodes to occupy several threads
   int threads = 1;
   std::uint64_t seed = 1;
+  sim::Method method = sim::Settings{}.method;
 };
 
 /// A brittle block falls onto a plastic one that lies on a moving floor, while gravity and stiffness are
