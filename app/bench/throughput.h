@@ -18,6 +18,11 @@ sim::Status benchThroughput(const std::vector<int>& threads,
 /// (P12: linear). Prints a table; with a folder, writes scaling.json there.
 sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>& folder);
 
+/// `bench skip`: scenes with and without each thing that may be left out (sim::SkipSettings), seconds and
+/// difference of the result. Prints a table; with a folder, writes skip.json there. `quick` leaves out what
+/// takes minutes.
+sim::Status benchSkip(int threads, bool quick, const std::optional<std::filesystem::path>& folder);
+
 /// Writes a JSON text into folder/name, making the folder.
 sim::Status writeResult(const std::filesystem::path& folder, const char* name, const std::string& text);
 

@@ -10,6 +10,7 @@ namespace {
 struct BenchOptions {
   std::string out;
   std::vector<int> threads;
+  bool quick = false;
 
   std::optional<std::filesystem::path> folder() const {
     return out.empty() ? std::nullopt : std::optional<std::filesystem::path>(out);
@@ -40,6 +41,14 @@ void addBenchCommand(CLI::App& program, ExitStatus& status) {
   scaling->callback([options, &status] {
     const int threads = options->threads.empty() ? 1 : options->threads.front();
     if (const auto done = benchScaling(threads, options->folder()); !done) status = complain(done.problem());
+  });
+  CLI::App* skip = bench->add_subcommand("skip", "Scenes with and without each thing that may be left out");
+  addOptions(*skip, options);
+  skip->add_flag("--quick", options->quick, "Leave out what takes minutes");
+  skip->callback([options, &status] {
+    const int threads = options->threads.empty() ? 1 : options->threads.front();
+    if (const auto done = benchSkip(threads, options->quick, options->folder()); !done)
+      status = complain(done.problem());
   });
 }
 

@@ -1,0 +1,187 @@
+#include <chrono>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "app/bench/bodies.h"
+#include "app/bench/throughput.h"
+#include "modeling/scene/resources.h"
+#include "modeling/scene/scene_file.h"
+
+namespace app {
+namespace {
+
+/// One thing that may be left out, with its name in the scene.
+struct Switch {
+  const char* name;
+  bool sim::SkipSettings::*flag;
+};
+
+constexpr Switch kSwitches[] = {{"sleep", &sim::SkipSettings::sleep},
+                                {"rigid", &sim::SkipSettings::rigid},
+                                {"contactSearch", &sim::SkipSettings::contactSearch},
+                                {"labelling", &sim::SkipSettings::labelling},
+                                {"thresholds", &sim::SkipSettings::thresholds},
+                                {"damping", &sim::SkipSettings::damping},
+                                {"ledger", &sim::SkipSettings::ledger}};
+
+sim::SkipSettings allSkips(bool on) {
+  sim::SkipSettings skip;
+  for (const Switch& one : kSwitches) skip.*one.flag = on;
+  return skip;
+}
+
+/// A scene, from when to when it is timed, and what is switched off to compare.
+struct Case {
+  std::string name;
+  modeling::Scene scene;
+  double from = 0.0;   ///< s: run with everything skipped up to here, and not timed
+  double until = 0.0;  ///< s
+  std::vector<const Switch*> switches;
+  bool all = false;  ///< compare with everything switched off, too
+};
+
+std::vector<const Switch*> switchesNamed(std::initializer_list<const char*> names) {
+  std::vector<const Switch*> found;
+  for (const char* name : names) {
+    for (const Switch& one : kSwitches) {
+      if (std::string_view(one.name) == name) found.push_back(&one);
+    }
+  }
+  return found;
+}
+
+sim::Result<modeling::Scene> sceneNamed(const char* name) {
+  auto loaded =
+      modeling::loadScene(modeling::resourcesFolder() / "scenes" / (std::string(name) + ".scene.json"));
+  if (!loaded) return loaded.problem();
+  return loaded->scene;
+}
+
+sim::Result<std::vector<Case>> skipCases(bool quick) {
+  const auto drop = sceneNamed("teapot-drop");
+  if (!drop) return drop.problem();
+  auto table = sceneNamed("tipsy-table");
+  if (!table) return table.problem();
+  // Left standing, so that it settles.
+  table->tracks.clear();
+  modeling::Scene cup = tubeScene(40, 16);
+  cup.parts.front().worldFromPart.position.z() = 100.0;
+  modeling::Scene loose = slabScene(30, 30, 4);
+  loose.materials.front().values.threshold = {};
+  loose.materials.front().values.lossFactor = 0.0;
+
+  std::vector<Case> cases;
+  cases.push_back({"teapot-drop, breaking", *drop, 0.0, quick ? 0.03 : 0.1,
+                   switchesNamed({"contactSearch", "labelling", "thresholds", "damping", "ledger"}), false});
+  cases.push_back({"tube in flight", cup, 0.0, 0.2, switchesNamed({"rigid", "contactSearch"}), false});
+  cases.push_back({"slab, unbreakable, undamped", loose, 0.0, 0.02,
+                   switchesNamed({"thresholds", "damping", "ledger"}), false});
+  if (quick) return cases;
+  cases.push_back({"teapot-drop, to rest", *drop, 0.0, 2.0, switchesNamed({"sleep", "rigid"}), true});
+  cases.push_back({"tipsy-table, settled", *table, 1.2, 1.21, switchesNamed({"sleep"}), false});
+  return cases;
+}
+
+/// How a run went from `from` to `until`.
+struct Outcome {
+  double seconds = 0.0;
+  std::uint64_t hash = 0;
+  sim::Snapshot end;
+  sim::Work work;
+};
+
+sim::Result<Outcome> timed(const Case& one, const sim::SkipSettings& skip, int threads,
+                           const std::vector<std::byte>& settled) {
+  modeling::Scene scene = one.scene;
+  scene.solver.skip = skip;
+  auto simulation = start(scene, threads);
+  if (!simulation) return simulation.problem();
+  sim::Simulation& running = **simulation;
+  if (!settled.empty()) {
+    if (const sim::Status restored = running.restore(settled); !restored) return restored.problem();
+  }
+  const auto before = std::chrono::steady_clock::now();
+  if (const sim::Status ran = running.advanceTo(one.until); !ran) return ran.problem();
+  Outcome outcome;
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  outcome.hash = running.stateHash();
+  outcome.end = running.snapshot();
+  outcome.work = running.work();
+  return outcome;
+}
+
+/// State at the beginning of what is timed; empty where that is the scene's beginning.
+sim::Result<std::vector<std::byte>> settledState(const Case& one, int threads) {
+  if (!(one.from > 0.0)) return std::vector<std::byte>{};
+  auto simulation = start(one.scene, threads);
+  if (!simulation) return simulation.problem();
+  if (const sim::Status ran = (*simulation)->advanceTo(one.from); !ran) return ran.problem();
+  return (*simulation)->checkpoint();
+}
+
+double furthestApart(const sim::Snapshot& a, const sim::Snapshot& b) {
+  double most = 0.0;
+  for (std::size_t n = 0; n < a.positions.size(); ++n)
+    most = std::max(most, (a.positions[n] - b.positions[n]).norm());
+  return most;
+}
+
+nlohmann::ordered_json compared(const Case& one, const char* name, const Outcome& with,
+                                const Outcome& without) {
+  const double apart = furthestApart(with.end, without.end);
+  const bool identical = with.hash == without.hash;
+  std::printf("%-28s %-14s %9.3f %9.3f %8.3f  ", one.name.c_str(), name, with.seconds, without.seconds,
+              with.seconds / without.seconds);
+  if (identical) {
+    std::printf("identical\n");
+  } else {
+    std::printf("nodes up to %.2g cm apart, %zu and %zu fragments\n", apart, with.end.fragments.size(),
+                without.end.fragments.size());
+  }
+  std::fflush(stdout);
+  return {{"scene", one.name},
+          {"skip", name},
+          {"simulated_s", one.until - one.from},
+          {"with_s", with.seconds},
+          {"without_s", without.seconds},
+          {"ratio", with.seconds / without.seconds},
+          {"identical", identical},
+          {"largest_difference_cm", apart},
+          {"fragments_with", with.end.fragments.size()},
+          {"fragments_without", without.end.fragments.size()}};
+}
+
+sim::Status compareCase(const Case& one, int threads, nlohmann::ordered_json& rows) {
+  const auto settled = settledState(one, threads);
+  if (!settled) return settled.problem();
+  const auto with = timed(one, allSkips(true), threads, *settled);
+  if (!with) return with.problem();
+  const auto compareWith = [&](const char* name, const sim::SkipSettings& skip) -> sim::Status {
+    const auto without = timed(one, skip, threads, *settled);
+    if (!without) return without.problem();
+    rows.push_back(compared(one, name, *with, *without));
+    return sim::Done{};
+  };
+  for (const Switch* change : one.switches) {
+    sim::SkipSettings skip = allSkips(true);
+    skip.*change->flag = false;
+    if (const sim::Status done = compareWith(change->name, skip); !done) return done;
+  }
+  return one.all ? compareWith("all of them", allSkips(false)) : sim::Done{};
+}
+
+}  // namespace
+
+sim::Status benchSkip(int threads, bool quick, const std::optional<std::filesystem::path>& folder) {
+  const auto cases = skipCases(quick);
+  if (!cases) return cases.problem();
+  auto rows = nlohmann::ordered_json::array();
+  std::printf("%-28s %-14s %9s %9s %8s  %s\n", "scene", "skip", "with, s", "without", "ratio", "difference");
+  for (const Case& one : *cases) {
+    if (const sim::Status done = compareCase(one, threads, rows); !done) return done;
+  }
+  return folder ? writeResult(*folder, "skip.json", rows.dump(2)) : sim::Done{};
+}
+
+}  // namespace app
