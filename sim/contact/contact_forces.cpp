@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/base/parallel.h"
 #include "sim/contact/contacts.h"
@@ -8,10 +9,11 @@ namespace sim {
 namespace {
 
 /// Rows a task takes at least: below, handing out costs more than the rows.
-constexpr std::size_t kRowGrain = 256;
+constexpr std::size_t kLookGrain = 1024;
+constexpr std::size_t kPushGrain = 64;
 
-/// Pairs nearer than this, in natural lengths, may touch before the step is chosen again, and count in it.
-constexpr double kNearShare = 1.1;
+/// Of a clearance, what is left by the rounding of a long odometer.
+constexpr double kSurely = 1.0 - 1e-9;
 
 /// Friction force (P10): against the slip, friction * k * intrusion, but never more than stops it within the
 /// step.
@@ -29,50 +31,111 @@ double spring(double stiffness, double intrusion) {
 
 /// Tracks that soften a material soften its contacts too, so that they stay no stiffer than its bonds. A
 /// broken bond keeps to its own material, or its energy would change as it breaks.
-double Contacts::pairScale(const Entry& entry, NodeIndex node, std::span<const MaterialNow> materials) const {
-  if (entry.brokenBond != kNone) return materials[network_->bond(entry.brokenBond).material].stiffnessScale;
-  const double own = materials[network_->nodeMaterials[node]].stiffnessScale;
-  return std::min(own, materials[network_->nodeMaterials[entry.other]].stiffnessScale);
+Contacts::PairConstants Contacts::constantsOf(NodeIndex node, const Entry& entry,
+                                              std::span<const MaterialNow> materials) const {
+  if (entry.brokenBond != kNone) {
+    const BondClass& bond = network_->bond(entry.brokenBond);
+    const double scale = materials[bond.material].stiffnessScale;
+    return {scale * bond.stiffness, std::sqrt(scale) * bond.damping};
+  }
+  const double scale = std::min(materials[network_->nodeMaterials[node]].stiffnessScale,
+                                materials[network_->nodeMaterials[entry.other]].stiffnessScale);
+  const double stiffness = scale * settings_.stiffnessScale *
+                           static_cast<double>(std::min(nodeStiffness_[node], nodeStiffness_[entry.other]));
+  const double mass = network_->masses[node];
+  const double otherMass = network_->masses[entry.other];
+  const double reduced = 1.0 / (1.0 / mass + 1.0 / otherMass);
+  return {stiffness,
+          std::isfinite(reduced) ? 2.0 * settings_.dampingRatio * std::sqrt(stiffness * reduced) : 0.0};
 }
 
-double Contacts::massShare(NodeIndex node) const {
-  const std::uint32_t row = rowOfNode_[node];
-  return network_->masses[node] / std::max(1U, rows_[row].active);
+double Contacts::massShare(NodeIndex node, std::span<const RowLook> looks) const {
+  return network_->masses[node] / std::max(1U, looks[rowOfNode_[node]].active);
 }
 
-/// Lets rho grow while apart, and counts what pushes.
-void Contacts::activate(Row& row, const Moment& moment) {
-  row.active = 0;
-  const Vec3 here = moment.motion.position.get(row.node);
-  for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
-    Entry& entry = entries_[e];
-    if (entry.brokenBond != kNone) continue;
-    const double distance = (moment.motion.position.get(entry.other) - here).norm();
-    if (distance < entry.rho) {
-      ++row.active;
-    } else if (!moment.trial) {
-      entry.rho = std::min(entry.natural, distance);
+void Contacts::settle(const Motion& motion) {
+  std::size_t kept = 0;
+  for (const auto& [row, entryIndex] : growing_) {
+    Entry& entry = entries_[entryIndex];
+    const NodeIndex node = rows_[row].node;
+    const double squared = (motion.position.get(entry.other) - motion.position.get(node)).squaredNorm();
+    const double natural = naturalLength(node, entry.other);
+    if (squared >= entry.rho * entry.rho) entry.rho = std::min(natural, std::sqrt(squared));
+    if (entry.rho < natural) growing_[kept++] = {row, entryIndex};
+  }
+  growing_.resize(kept);
+}
+
+void Contacts::clear(Forces& forces) {
+  for (std::size_t block = 0; block < forces.touched.size(); ++block) {
+    if (forces.touched[block] == 0) continue;
+    forces.touched[block] = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::fill_n(forces.total.axis(k) + block * kBlockNodes, kBlockNodes, 0.0);
+      std::fill_n(forces.lossy.axis(k) + block * kBlockNodes, kBlockNodes, 0.0);
     }
   }
-  for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
-    if (intrusion(moment.colliders[nearColliders_[c]].shape, here).depth > 0.0) ++row.active;
-  }
 }
 
-Contacts::Push Contacts::pairPush(const Row& row, const Entry& entry, const Moment& moment) const {
-  const Vec3 apart = moment.motion.position.get(entry.other) - moment.motion.position.get(row.node);
+void Contacts::prepare(Forces& forces) const {
+  if (forces.total.size() == 0) {
+    forces.total = NodeVectors(network_->nodeCount());
+    forces.lossy = NodeVectors(network_->nodeCount());
+  }
+  clear(forces);
+  if (forces.looksOfRebuild == rebuilds_ && forces.looks.size() == rows_.size()) return;
+  forces.looksOfRebuild = rebuilds_;
+  forces.looks.assign(rows_.size(), {});
+  forces.touching.resize(entries_.size());
+}
+
+/// Finds what touches in a row, and how long nothing can, if nothing does.
+void Contacts::look(std::uint32_t index, const Moment& moment, Forces& forces) const {
+  RowLook& found = forces.looks[index];
+  if (odometer_ + moment.lead < found.clearUntil) return;
+  const Row& row = rows_[index];
+  const double* const x = moment.motion.position.axis(0);
+  const double* const y = moment.motion.position.axis(1);
+  const double* const z = moment.motion.position.axis(2);
+  const Vec3 here(x[row.node], y[row.node], z[row.node]);
+  double nearest = std::numeric_limits<double>::infinity();  // squared
+  found = {};
+  for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
+    const Entry& entry = entries_[e];
+    const double dx = x[entry.other] - here.x();
+    const double dy = y[entry.other] - here.y();
+    const double dz = z[entry.other] - here.z();
+    const double squared = dx * dx + dy * dy + dz * dz;
+    nearest = std::min(nearest, squared);
+    if (squared >= entry.rho * entry.rho) continue;
+    forces.touching[row.firstEntry + found.touching++] = e;
+    if (entry.brokenBond == kNone) ++found.active;
+  }
+  // Both nodes may come; of node and collider each has its own share of the odometer.
+  double clearance = 0.5 * (std::sqrt(nearest) - static_cast<double>(row.reach));
+  for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
+    const double depth = intrusion(moment.colliders[nearColliders_[c]].shape, here).depth;
+    if (depth > 0.0) ++found.active;
+    clearance = std::min(clearance, -depth);
+  }
+  if (found.touching + found.active == 0) found.clearUntil = odometer_ + kSurely * clearance - moment.lead;
+}
+
+Contacts::Push Contacts::pairPush(NodeIndex node, const Entry& entry, const Moment& moment,
+                                  std::span<const RowLook> looks) const {
+  const Vec3 apart = moment.motion.position.get(entry.other) - moment.motion.position.get(node);
   const double squared = apart.squaredNorm();
   if (squared >= entry.rho * entry.rho || squared == 0.0) return {};
   const double distance = std::sqrt(squared);
   const Vec3 direction = apart / distance;
-  const Vec3 relative = moment.motion.velocity.get(entry.other) - moment.motion.velocity.get(row.node);
+  const Vec3 relative = moment.motion.velocity.get(entry.other) - moment.motion.velocity.get(node);
   const double separating = relative.dot(direction);
-  const double scale = pairScale(entry, row.node, moment.materials);
-  const double elastic = scale * entry.stiffness * (entry.rho - distance);
-  const double normal = std::max(0.0, elastic - std::sqrt(scale) * entry.damping * separating);
+  const PairConstants constants = constantsOf(node, entry, moment.materials);
+  const double elastic = constants.stiffness * (entry.rho - distance);
+  const double normal = std::max(0.0, elastic - constants.damping * separating);
   Push push{-normal * direction, (elastic - normal) * direction};
   if (entry.brokenBond == kNone && settings_.friction > 0.0) {
-    const double reduced = 1.0 / (1.0 / massShare(row.node) + 1.0 / massShare(entry.other));
+    const double reduced = 1.0 / (1.0 / massShare(node, looks) + 1.0 / massShare(entry.other, looks));
     const Vec3 slip = -(relative - separating * direction);
     const Vec3 friction = frictionForce(slip, settings_.friction * elastic, reduced, moment.kick);
     push.total += friction;
@@ -88,51 +151,51 @@ double Contacts::colliderStiffness(NodeIndex node, const Collider& collider,
          materials[network_->nodeMaterials[node]].stiffnessScale;
 }
 
-Contacts::Push Contacts::colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment,
-                                      ColliderWork& work) const {
-  const Vec3 here = moment.motion.position.get(row.node);
+Contacts::Push Contacts::colliderPush(NodeIndex node, const MovingCollider& collider, const Moment& moment,
+                                      std::span<const RowLook> looks, ColliderWork& work) const {
+  const Vec3 here = moment.motion.position.get(node);
   const Intrusion inside = intrusion(collider.shape, here);
-  const double mass = network_->masses[row.node];
+  const double mass = network_->masses[node];
   if (inside.depth <= 0.0 || !std::isfinite(mass)) return {};
   const Vec3 carried = collider.velocityAt(here);
-  const Vec3 relative = moment.motion.velocity.get(row.node) - carried;
+  const Vec3 relative = moment.motion.velocity.get(node) - carried;
   const double leaving = relative.dot(inside.normal);
-  const double stiffness = colliderStiffness(row.node, collider.shape, moment.materials);
+  const double stiffness = colliderStiffness(node, collider.shape, moment.materials);
   const double elastic = stiffness * inside.depth;
   const double damping = 2.0 * collider.shape.dampingRatio * std::sqrt(stiffness * mass);
   const double normal = std::max(0.0, elastic - damping * leaving);
   const Vec3 friction = frictionForce(relative - leaving * inside.normal, collider.shape.friction * elastic,
-                                      massShare(row.node), moment.kick);
+                                      massShare(node, looks), moment.kick);
   const Push push{normal * inside.normal + friction, (normal - elastic) * inside.normal + friction};
   work.outside += push.total.dot(carried) * moment.kick;
   work.dissipated += push.lossy.dot(carried) * moment.kick;
   return push;
 }
 
-Contacts::ColliderWork Contacts::pushRow(const Row& row, const Moment& moment, Forces& forces) const {
+Contacts::ColliderWork Contacts::pushRow(std::uint32_t index, const Moment& moment, Forces& forces) const {
+  const Row& row = rows_[index];
+  const RowLook& found = forces.looks[index];
   Push sum;
   ColliderWork work;
   const auto add = [&](const Push& push) {
     sum.total += push.total;
     sum.lossy += push.lossy;
   };
-  for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) add(pairPush(row, entries_[e], moment));
-  for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
-    add(colliderPush(row, moment.colliders[nearColliders_[c]], moment, work));
-  }
+  for (std::uint32_t t = 0; t < found.touching; ++t)
+    add(pairPush(row.node, entries_[forces.touching[row.firstEntry + t]], moment, forces.looks));
+  for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c)
+    add(colliderPush(row.node, moment.colliders[nearColliders_[c]], moment, forces.looks, work));
   forces.total.set(row.node, sum.total);
   forces.lossy.set(row.node, sum.lossy);
   return work;
 }
 
-/// Broken since the last rebuild: few, so one after the other.
+/// Broken since the last rebuild: few that touch, so one after the other.
 void Contacts::pushFresh(const Moment& moment, Forces& forces) const {
   for (const BrokenPair& pair : fresh_) {
-    Entry entry = brokenEntry(pair);
-    entry.other = pair.b;
-    Row row;
-    row.node = pair.a;
-    const Push push = pairPush(row, entry, moment);
+    const Push push = pairPush(pair.a, {pair.restLength, pair.b, pair.bond}, moment, {});
+    if (push.total.isZero(0.0) && push.lossy.isZero(0.0)) continue;
+    forces.touched[pair.a / kBlockNodes] = forces.touched[pair.b / kBlockNodes] = 1;
     forces.total.add(pair.a, push.total);
     forces.lossy.add(pair.a, push.lossy);
     forces.total.add(pair.b, -push.total);
@@ -140,33 +203,24 @@ void Contacts::pushFresh(const Moment& moment, Forces& forces) const {
   }
 }
 
-void Contacts::clear(Forces& forces) {
-  for (std::size_t block = 0; block < forces.touched.size(); ++block) {
-    if (forces.touched[block] == 0) continue;
-    forces.touched[block] = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::fill_n(forces.total.axis(k) + block * kBlockNodes, kBlockNodes, 0.0);
-      std::fill_n(forces.lossy.axis(k) + block * kBlockNodes, kBlockNodes, 0.0);
-    }
+Contacts::ColliderWork Contacts::computeForces(const Moment& moment, Forces& forces) const {
+  prepare(forces);
+  parallelRanges(rows_.size(), kLookGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) look(static_cast<std::uint32_t>(r), moment, forces);
+  });
+  forces.busy.clear();
+  for (std::uint32_t r = 0; r < rows_.size(); ++r) {
+    if (forces.looks[r].touching + forces.looks[r].active == 0) continue;
+    forces.busy.push_back(r);
+    forces.touched[rows_[r].node / kBlockNodes] = 1;
   }
-}
-
-Contacts::ColliderWork Contacts::computeForces(const Moment& moment, Forces& forces) {
-  clear(forces);
-  for (const Row& row : rows_) forces.touched[row.node / kBlockNodes] = 1;
-  for (const BrokenPair& pair : fresh_)
-    forces.touched[pair.a / kBlockNodes] = forces.touched[pair.b / kBlockNodes] = 1;
-  rowWork_.resize(rows_.size());
-  const auto overRows = [&](auto&& work) {
-    parallelRanges(rows_.size(), kRowGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t r = begin; r < end; ++r) work(r);
-    });
-  };
-  overRows([&](std::size_t r) { activate(rows_[r], moment); });
-  overRows([&](std::size_t r) { rowWork_[r] = pushRow(rows_[r], moment, forces); });
+  forces.work.resize(forces.busy.size());
+  parallelRanges(forces.busy.size(), kPushGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) forces.work[b] = pushRow(forces.busy[b], moment, forces);
+  });
   pushFresh(moment, forces);
   ColliderWork sum;
-  for (const ColliderWork& work : rowWork_) {
+  for (const ColliderWork& work : forces.work) {
     sum.outside += work.outside;
     sum.dissipated += work.dissipated;
   }
@@ -179,9 +233,10 @@ double Contacts::energy(const Moment& moment) const {
     const Vec3 here = moment.motion.position.get(row.node);
     for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
       const Entry& entry = entries_[e];
-      const double depth = entry.rho - (moment.motion.position.get(entry.other) - here).norm();
-      if (depth > 0.0)
-        sum += 0.5 * spring(pairScale(entry, row.node, moment.materials) * entry.stiffness, depth);
+      const double squared = (moment.motion.position.get(entry.other) - here).squaredNorm();
+      if (squared >= entry.rho * entry.rho) continue;
+      const double depth = entry.rho - std::sqrt(squared);
+      sum += 0.5 * spring(constantsOf(row.node, entry, moment.materials).stiffness, depth);
     }
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
       const Collider& collider = moment.colliders[nearColliders_[c]].shape;
@@ -190,17 +245,18 @@ double Contacts::energy(const Moment& moment) const {
     }
   }
   for (const BrokenPair& pair : fresh_) {
-    Entry entry = brokenEntry(pair);
-    entry.other = pair.b;
     const double depth =
         pair.restLength - (moment.motion.position.get(pair.b) - moment.motion.position.get(pair.a)).norm();
-    if (depth > 0.0) sum += spring(pairScale(entry, pair.a, moment.materials) * entry.stiffness, depth);
+    if (depth > 0.0)
+      sum += spring(constantsOf(pair.a, {pair.restLength, pair.b, pair.bond}, moment.materials).stiffness,
+                    depth);
   }
   return sum;
 }
 
 Contacts::Stiffest Contacts::stiffest(const Moment& moment) const {
   Stiffest most;
+  const double closing = kChoiceShare * largestNatural_;
   for (const Row& row : rows_) {
     const double mass = network_->masses[row.node];
     if (!std::isfinite(mass)) continue;
@@ -209,11 +265,11 @@ Contacts::Stiffest Contacts::stiffest(const Moment& moment) const {
     double damping = 0.0;
     for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
       const Entry& entry = entries_[e];
-      const double distance = (moment.motion.position.get(entry.other) - here).norm();
-      if (distance > kNearShare * entry.rho) continue;
-      const double scale = pairScale(entry, row.node, moment.materials);
-      stiffness += 2.0 * scale * entry.stiffness;
-      damping += 2.0 * std::sqrt(scale) * entry.damping;
+      const double reach = entry.rho + closing;
+      if ((moment.motion.position.get(entry.other) - here).squaredNorm() > reach * reach) continue;
+      const PairConstants constants = constantsOf(row.node, entry, moment.materials);
+      stiffness += 2.0 * constants.stiffness;
+      damping += 2.0 * constants.damping;
     }
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
       const Collider& collider = moment.colliders[nearColliders_[c]].shape;

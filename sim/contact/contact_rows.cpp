@@ -52,11 +52,6 @@ double Contacts::naturalLength(NodeIndex i, NodeIndex j) const {
   return settings_.length == ContactLength::sum ? first + second : std::min(first, second);
 }
 
-double Contacts::pairDamping(NodeIndex i, NodeIndex j, double stiffness) const {
-  const double reduced = 1.0 / (1.0 / network_->masses[i] + 1.0 / network_->masses[j]);
-  return std::isfinite(reduced) ? 2.0 * settings_.dampingRatio * std::sqrt(stiffness * reduced) : 0.0;
-}
-
 const Contacts::BrokenPair* Contacts::findBroken(BondIndex bond) const {
   const auto found =
       std::lower_bound(broken_.begin(), broken_.end(), bond,
@@ -78,13 +73,19 @@ void Contacts::noteBirths() {
 }
 
 void Contacts::moveColliders(double travel) {
+  odometer_ += travel;
   if (stale_ || !hasColliders_) return;
   colliderTravel_ += travel;
   slack_ -= travel;
   if (slack_ < 0.0) stale_ = true;
 }
 
+bool Contacts::choiceIsOld() const {
+  return pairsMayMeet_ && 2.0 * (odometer_ - odometerAtChoice_) > kChoiceShare * largestNatural_;
+}
+
 void Contacts::age(const Motion& motion, double travel) {
+  odometer_ += travel;
   if (stepsToRebuild_ > 0 && --stepsToRebuild_ == 0) stale_ = true;
   if (stale_ || !(pairsMayMeet_ || hasColliders_)) return;
   slack_ -= travel;
@@ -144,11 +145,6 @@ const Contacts::Entry* Contacts::oldEntry(NodeIndex i, NodeIndex j) const {
   return nullptr;
 }
 
-Contacts::Entry Contacts::brokenEntry(const BrokenPair& pair) const {
-  const BondClass& bond = network_->bond(pair.bond);
-  return {kNone, pair.bond, pair.restLength, pair.restLength, bond.stiffness, bond.damping};
-}
-
 void Contacts::collectBroken(const Motion& motion, const Components& components,
                              std::vector<Candidate>& pairs) {
   broken_.insert(broken_.end(), fresh_.begin(), fresh_.end());
@@ -161,7 +157,7 @@ void Contacts::collectBroken(const Motion& motion, const Components& components,
   });
   for (const BrokenPair& pair : broken_) {
     if (distanceOf(motion, pair.a, pair.b) < pair.restLength + pairSkin_)
-      pairs.push_back({pair.a, pair.b, brokenEntry(pair)});
+      pairs.push_back({pair.a, pair.b, {pair.restLength, kNone, pair.bond}});
   }
 }
 
@@ -175,12 +171,10 @@ void Contacts::collectContacts(const Motion& motion, const Components& component
     const double reach = natural + pairSkin_;
     const double squared = (motion.position.get(j) - motion.position.get(i)).squaredNorm();
     if (squared >= reach * reach || !mayTouch(i, j, components, breakage)) return;
-    const double stiffness =
-        settings_.stiffnessScale * static_cast<double>(std::min(nodeStiffness_[i], nodeStiffness_[j]));
-    if (!(stiffness > 0.0)) return;
+    if (!(std::min(nodeStiffness_[i], nodeStiffness_[j]) > 0.0F)) return;
     const Entry* old = oldEntry(i, j);
     const double rho = old != nullptr ? old->rho : std::min(natural, std::sqrt(squared));
-    pairs.push_back({i, j, {kNone, kNone, natural, rho, stiffness, pairDamping(i, j, stiffness)}});
+    pairs.push_back({i, j, {rho, kNone, kNone}});
   });
 }
 
@@ -240,6 +234,24 @@ void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<N
     rowOfNode_[node] = static_cast<std::uint32_t>(rows_.size());
     rows_.push_back(row);
   }
+  noteLengths();
+}
+
+/// What rows and entries say of natural lengths.
+void Contacts::noteLengths() {
+  growing_.clear();
+  for (std::uint32_t r = 0; r < rows_.size(); ++r) {
+    Row& row = rows_[r];
+    double reach = 0.0;
+    for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
+      const Entry& entry = entries_[e];
+      const bool broken = entry.brokenBond != kNone;
+      const double natural = broken ? entry.rho : naturalLength(row.node, entry.other);
+      reach = std::max(reach, natural);
+      if (entry.rho < natural) growing_.push_back({r, e});
+    }
+    row.reach = std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::max());
+  }
 }
 
 void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
@@ -255,6 +267,8 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   pairsMayMeet_ = several || settings_.self || !broken_.empty();
   if (pairsMayMeet_ || hasColliders_) reference_ = motion.position;
   colliderTravel_ = 0.0;
+  odometer_ = 0.0;
+  odometerAtChoice_ = 0.0;
   slack_ = 0.0;
   stepsToRebuild_ = 0;
   stale_ = false;
@@ -295,6 +309,8 @@ void Contacts::save(ByteWriter& writer) const {
     writer.putVector(std::vector<double>(reference_.axis(k), reference_.axis(k) + reference_.size()));
   }
   for (const bool flag : {pairsMayMeet_, hasColliders_, stale_}) writer.put<std::uint8_t>(flag ? 1 : 0);
+  writer.put(odometer_);
+  writer.put(odometerAtChoice_);
   writer.put(slack_);
   writer.put(colliderTravel_);
   writer.put(stepsToRebuild_);
@@ -312,6 +328,8 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   for (std::vector<double>& axis : reference) reader.readVector(axis);
   std::array<std::uint8_t, 3> flags{};
   for (std::uint8_t& flag : flags) reader.read(flag);
+  reader.read(odometer_);
+  reader.read(odometerAtChoice_);
   reader.read(slack_);
   reader.read(colliderTravel_);
   reader.read(stepsToRebuild_);
@@ -341,6 +359,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   for (std::size_t k = 0; k < 3; ++k) std::copy(reference[k].begin(), reference[k].end(), reference_.axis(k));
   rowOfNode_.assign(nodes, kNone);
   for (std::uint32_t r = 0; r < rows_.size(); ++r) rowOfNode_[rows_[r].node] = r;
+  noteLengths();
   return std::all_of(entries_.begin(), entries_.end(),
                      [&](const Entry& entry) { return rowOfNode_[entry.other] != kNone; });
 }
@@ -348,7 +367,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
 std::size_t Contacts::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return bytes(nodeStiffness_) + grid_.memoryBytes() + bytes(rows_) + bytes(entries_) +
-         bytes(nearColliders_) + bytes(rowOfNode_) + bytes(rowWork_) + bytes(broken_) + bytes(fresh_) +
+         bytes(nearColliders_) + bytes(rowOfNode_) + bytes(growing_) + bytes(broken_) + bytes(fresh_) +
          (reference_.size() > 0 ? reference_.memoryBytes() : 0);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,7 +36,8 @@ struct MovingCollider {
 ///
 /// Pairs stand in rows, one row a touched node, both ways round: each node gathers its own force in a fixed
 /// order. The rows cover all that can touch until something has moved by a skin's width; then stale() asks
-/// for rebuild().
+/// for rebuild(). A row found clear of everything is not looked at again until nodes and colliders have
+/// travelled its clearance.
 class Contacts {
  public:
   Contacts(const Network& network, const ContactSettings& settings);
@@ -45,8 +47,10 @@ class Contacts {
     const Motion& motion;
     std::span<const MovingCollider> colliders;
     std::span<const MaterialNow> materials;
-    double kick = 0.0;   ///< s: how long the forces act, for the clamp of friction and the colliders' work
-    bool trial = false;  ///< a state on the way, or one that may be thrown away: nothing of it is remembered
+    double kick = 0.0;  ///< s: how long the forces act, for the clamp of friction and the colliders' work
+    /// cm: no node is further than this from where it was at the last age(). Unknown for trial states: then
+    /// every row is looked at.
+    double lead = std::numeric_limits<double>::infinity();
   };
 
   /// A bond broke at this rest length: it goes on repelling.
@@ -84,20 +88,38 @@ class Contacts {
   /// The next age() by such a travel (cm) may look at all positions.
   bool looksAfter(double travel) const { return stepsToRebuild_ > 0 || stale_ || slack_ - travel <= 0.0; }
 
-  struct Forces {
-    NodeVectors total;  ///< dyn
-    NodeVectors lossy;  ///< the part that is not conservative: contact damping and friction, dyn
-    std::vector<std::uint8_t>
-        touched;  ///< one byte a block of nodes: forces there are set, elsewhere undefined
+  /// What was found of a row when it was last looked at.
+  struct RowLook {
+    double clearUntil = 0.0;     ///< cm of the odometer: till then nothing in the row can push
+    std::uint32_t touching = 0;  ///< entries that push
+    std::uint32_t active = 0;    ///< contacts that push, among which friction shares the node's mass
   };
   /// What colliders that move did in a step, which the nodes' own account (force times velocity) cannot tell.
   struct ColliderWork {
     double outside = 0.0;     ///< erg, done on the network
     double dissipated = 0.0;  ///< erg, to be added to the nodes' account
   };
-  /// Sets the forces of this moment. Call only where !quiet(), else clear().
-  ColliderWork computeForces(const Moment& moment, Forces& forces);
+  /// The forces of one moment, zero where no block is touched, and what finding them left behind. Begins as
+  /// `touched` alone, all zero; the vectors are made when first needed. To be used with one Contacts only, or
+  /// be emptied by forgetRows() between two.
+  struct Forces {
+    NodeVectors total;  ///< dyn
+    NodeVectors lossy;  ///< the part that is not conservative: contact damping and friction, dyn
+    std::vector<std::uint8_t> touched;  ///< one byte a block of nodes
+
+    std::uint64_t looksOfRebuild = 0;     ///< whose rows the looks are about
+    std::vector<RowLook> looks;           ///< by row
+    std::vector<std::uint32_t> touching;  ///< entries, at the places of their row
+    std::vector<std::uint32_t> busy;      ///< rows that may push
+    std::vector<ColliderWork> work;       ///< by busy row
+    void forgetRows() { looks.clear(); }
+  };
+  /// Sets the forces of this moment, which need not be the one that age() was told of. Call only where
+  /// !quiet(), else clear().
+  ColliderWork computeForces(const Moment& moment, Forces& forces) const;
   static void clear(Forces& forces);
+  /// Lets rho grow where pairs are apart. Once a step; forces of the same moment do not depend on it.
+  void settle(const Motion& motion);
 
   /// Energy in compressed contacts, colliders and broken bonds, erg.
   double energy(const Moment& moment) const;
@@ -108,6 +130,10 @@ class Contacts {
     double damping = 0.0;      ///< likewise of 2 d / m, 1/s
   };
   Stiffest stiffest(const Moment& moment) const;
+  /// The step was chosen by what stiffest() says of this moment; that holds until so much has moved that
+  /// pairs not counted in it may touch.
+  void noteChoice() { odometerAtChoice_ = odometer_; }
+  bool choiceIsOld() const;
 
   std::size_t pairCount() const { return entries_.size() / 2 + fresh_.size(); }
   std::uint64_t rebuilds() const { return rebuilds_; }
@@ -117,20 +143,17 @@ class Contacts {
   std::size_t memoryBytes() const;
 
  private:
-  /// One direction of a pair.
+  /// One direction of a pair. Its other constants follow from the two nodes, or from the broken bond.
   struct Entry {
+    double rho = 0.0;  ///< cm: present natural length; rest length of a broken bond
     NodeIndex other = kNone;
     BondIndex brokenBond = kNone;  ///< kNone for a contact
-    double natural = 0.0;          ///< cm: rho grows no further
-    double rho = 0.0;              ///< cm: present natural length; rest length of a broken bond
-    double stiffness = 0.0;        ///< dyn/cm
-    double damping = 0.0;          ///< g/s
   };
   struct Row {
     NodeIndex node = kNone;
     std::uint32_t firstEntry = 0, lastEntry = 0;
     std::uint32_t firstCollider = 0, lastCollider = 0;  ///< of nearColliders_
-    std::uint32_t active = 0;  ///< pushes in this step, among which friction shares the node's mass
+    float reach = 0.0F;                                 ///< cm: no natural length in the row is longer
   };
   /// A bond that broke and still repels by itself.
   struct BrokenPair {
@@ -161,7 +184,6 @@ class Contacts {
   // Rebuilding (contact_rows.cpp).
   Displacements displacements(const Motion& motion) const;
   double naturalLength(NodeIndex i, NodeIndex j) const;
-  double pairDamping(NodeIndex i, NodeIndex j, double stiffness) const;
   bool mayTouch(NodeIndex i, NodeIndex j, const Components& components, const Breakage& breakage) const;
   const Entry* oldEntry(NodeIndex i, NodeIndex j) const;
   BrokenPair brokenPair(BondIndex bond, double restLength) const;
@@ -172,21 +194,31 @@ class Contacts {
                                              std::span<const MovingCollider> colliders) const;
   void fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near);
   const BrokenPair* findBroken(BondIndex bond) const;
-  Entry brokenEntry(const BrokenPair& pair) const;
+  void noteLengths();
   static void savePairs(ByteWriter& writer, const std::vector<BrokenPair>& pairs);
   void loadPairs(ByteReader& reader, std::vector<BrokenPair>& pairs) const;
 
   // Forces (contact_forces.cpp).
-  double pairScale(const Entry& entry, NodeIndex node, std::span<const MaterialNow> materials) const;
-  double massShare(NodeIndex node) const;
-  void activate(Row& row, const Moment& moment);
-  Push pairPush(const Row& row, const Entry& entry, const Moment& moment) const;
-  Push colliderPush(const Row& row, const MovingCollider& collider, const Moment& moment,
-                    ColliderWork& work) const;
-  ColliderWork pushRow(const Row& row, const Moment& moment, Forces& forces) const;
+  struct PairConstants {
+    double stiffness = 0.0;  ///< dyn/cm
+    double damping = 0.0;    ///< g/s
+  };
+  PairConstants constantsOf(NodeIndex node, const Entry& entry, std::span<const MaterialNow> materials) const;
+  double massShare(NodeIndex node, std::span<const RowLook> looks) const;
+  void prepare(Forces& forces) const;
+  void look(std::uint32_t row, const Moment& moment, Forces& forces) const;
+  Push pairPush(NodeIndex node, const Entry& entry, const Moment& moment,
+                std::span<const RowLook> looks) const;
+  Push colliderPush(NodeIndex node, const MovingCollider& collider, const Moment& moment,
+                    std::span<const RowLook> looks, ColliderWork& work) const;
+  ColliderWork pushRow(std::uint32_t row, const Moment& moment, Forces& forces) const;
   void pushFresh(const Moment& moment, Forces& forces) const;
   double colliderStiffness(NodeIndex node, const Collider& collider,
                            std::span<const MaterialNow> materials) const;
+
+  /// Pairs further apart than this share of the largest natural length beyond their own do not count in the
+  /// stable step, which is chosen again before they can have met.
+  static constexpr double kChoiceShare = 0.1;
 
   const Network* network_;
   ContactSettings settings_;
@@ -201,7 +233,10 @@ class Contacts {
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> nearColliders_;
   std::vector<std::uint32_t> rowOfNode_;  ///< kNone where a node has none
-  std::vector<ColliderWork> rowWork_;
+  struct Growing {
+    std::uint32_t row, entry;
+  };
+  std::vector<Growing> growing_;    ///< entries whose rho is not yet their natural length
   std::vector<BrokenPair> broken_;  ///< by bond
   std::vector<BrokenPair> fresh_;   ///< broken since the last rebuild, in order of breaking
   NodeVectors reference_;           ///< positions at the last rebuild
@@ -209,6 +244,8 @@ class Contacts {
       false;  ///< there are fragments, broken bonds or self contact to keep rows of pairs for
   bool hasColliders_ = false;
   bool stale_ = true;
+  double odometer_ = 0.0;  ///< cm that nodes and colliders have travelled at most since the rows were built
+  double odometerAtChoice_ = 0.0;  ///< cm: when the step was chosen
   double slack_ = 0.0;  ///< cm that may yet be travelled before the displacements must be looked at
   double colliderTravel_ = 0.0;
   std::uint32_t stepsToRebuild_ = 0;  ///< counts down after births; 0: no rebuild is due

@@ -22,8 +22,11 @@ class NodeVectors {
   }
 
   std::size_t size() const { return nodeCount_; }
-  double* axis(std::size_t k) { return arrays_[k].data() + kBlockNodes; }
-  const double* axis(std::size_t k) const { return arrays_[k].data() + kBlockNodes; }
+  /// Null where there are no nodes.
+  double* axis(std::size_t k) { return arrays_[k].empty() ? nullptr : arrays_[k].data() + kBlockNodes; }
+  const double* axis(std::size_t k) const {
+    return arrays_[k].empty() ? nullptr : arrays_[k].data() + kBlockNodes;
+  }
 
   Vec3 get(std::size_t node) const { return {axis(0)[node], axis(1)[node], axis(2)[node]}; }
   void set(std::size_t node, const Vec3& value) {

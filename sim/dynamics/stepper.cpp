@@ -47,7 +47,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       moreThreads_(allowThreads(settings.threads)),
       arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
   const std::size_t count = network_.nodeCount();
-  forces_ = {NodeVectors(count), NodeVectors(count), std::vector<std::uint8_t>(layout_.blockCount(), 0)};
+  forces_.touched.assign(layout_.blockCount(), 0);
   inverseMasses_.assign(NodeVectors::paddedCount(count), 0.0);
   if (oneStep_) {
     startRates_ = {NodeVectors(count)};
@@ -73,7 +73,7 @@ double Stepper::kick() const {
 }
 
 Contacts::Moment Stepper::moment() const {
-  return {now_, controls_.colliders(), controls_.materials(), kick()};
+  return {now_, controls_.colliders(), controls_.materials(), kick(), 0.0};
 }
 
 /// Tracks change the world at fixed positions; what that does to the energy is work from outside. The half
@@ -109,7 +109,10 @@ void Stepper::applyControls() {
 }
 
 void Stepper::refreshContacts() {
-  if (!contacts_.stale()) return;
+  if (!contacts_.stale()) {
+    if (contacts_.choiceIsOld()) chooseStep();
+    return;
+  }
   fragments_.placeBodies();
   contacts_.rebuild(now_, components_, breakage_, controls_.colliders());
   ++work_.neighbourLists;
@@ -119,6 +122,7 @@ void Stepper::refreshContacts() {
 }
 
 void Stepper::chooseStep() {
+  contacts_.noteChoice();
   if (settings_.step) {
     want(*settings_.step);
     return;
@@ -156,6 +160,7 @@ KernelStep Stepper::kernelStep(const Motion& from, Motion& to) const {
     step.now.velocity[k] = from.velocity.axis(k);
     step.nextPosition[k] = to.position.size() > 0 ? to.position.axis(k) : nullptr;
     step.nextVelocity[k] = to.velocity.size() > 0 ? to.velocity.axis(k) : nullptr;
+    // Empty until something touched; not read then.
     step.external[k] = forces_.total.axis(k);
     step.externalLossy[k] = forces_.lossy.axis(k);
     step.gravity[k] = controls_.gravity()[static_cast<Eigen::Index>(k)];
@@ -197,6 +202,7 @@ Result<double> Stepper::moveByLeapfrog() {
     Contacts::clear(forces_);
   } else {
     const Contacts::ColliderWork work = contacts_.computeForces(moment(), forces_);
+    contacts_.settle(now_);
     ledger_.addOutsideWork(work.outside);
     ledger_.addDissipated(work.dissipated);
     work_.contactPairs += contacts_.pairCount();

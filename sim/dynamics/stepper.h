@@ -89,7 +89,7 @@ class Stepper {
   bool skipsFragments() const;
   void sleepUntil(double until);
   void countWork();
-  Present presentBy(Contacts& contacts, Contacts::Forces& forces) const;
+  Present presentBy(Contacts::Forces& forces) const;
   double elasticEnergyNow() const;
   double carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const;
   Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;

@@ -38,7 +38,7 @@ void Stepper::ratesAt(const Motion& at, double ahead, Rates& rates) {
     Contacts::clear(forces_);
   } else {
     const std::vector<MovingCollider> colliders = controls_.collidersAhead(ahead);
-    const Contacts::Moment trial{at, colliders, controls_.materials(), kick(), true};
+    const Contacts::Moment trial{at, colliders, controls_.materials(), kick()};
     const Contacts::ColliderWork work = contacts_.computeForces(trial, forces_);
     rates.outsideWork += work.outside / kick();
     rates.dissipated += work.dissipated / kick();
@@ -152,8 +152,7 @@ Result<double> Stepper::moveByOneStep() {
   std::swap(now_, next_);
   std::swap(startRates_, endRates_);
   startKnown_ = true;
-  // Contacts remember what they saw of accepted states alone. The forces are those that endRates_ had.
-  if (!contacts_.quiet()) contacts_.computeForces(moment(), forces_);
+  contacts_.settle(now_);
   return fastest * length;
 }
 

@@ -48,7 +48,7 @@ double Stepper::carryingWork(const Motion& at, const Contacts::Forces& forces, d
 }
 
 /// Half the last step's kick more, without moving anything.
-Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces) const {
+Stepper::Present Stepper::presentBy(Contacts::Forces& forces) const {
   if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) {
     Present present{now_.velocity};
     fragments_.placeVelocities(present.velocity, 0.0);
@@ -58,10 +58,10 @@ Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces
   Motion ahead{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())};
   std::vector<BlockReport> reports(layout_.blockCount());
   Contacts::ColliderWork work;
-  if (contacts.quiet()) {
+  if (contacts_.quiet()) {
     Contacts::clear(forces);
   } else {
-    work = contacts.computeForces(moment(), forces);
+    work = contacts_.computeForces(moment(), forces);
   }
   KernelStep step = kernelStep(now_, ahead);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -81,13 +81,10 @@ Stepper::Present Stepper::presentBy(Contacts& contacts, Contacts::Forces& forces
 }
 
 Stepper::Present Stepper::present() const {
-  // Contact forces are those of these positions: what computing them changes (contacts that grow while apart)
-  // the next step would change alike, but a look must leave no trace.
   return arena_.execute([&] {
-    Contacts contacts = contacts_;
-    Contacts::Forces forces{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount()),
-                            std::vector<std::uint8_t>(layout_.blockCount(), 0)};
-    return presentBy(contacts, forces);
+    Contacts::Forces forces;
+    forces.touched.assign(layout_.blockCount(), 0);
+    return presentBy(forces);
   });
 }
 
@@ -96,7 +93,7 @@ Stepper::Present Stepper::present() const {
 /// times their due.
 void Stepper::finishKick() {
   if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) return;
-  Present present = presentBy(contacts_, forces_);
+  Present present = presentBy(forces_);
   now_.velocity = std::move(present.velocity);
   ledger_.addDissipated(present.dissipated);
   ledger_.addOutsideWork(present.outsideWork);

@@ -10,7 +10,7 @@ namespace sim {
 namespace {
 
 /// Changes with the layout of checkpoints, so that a run is never resumed from one it cannot read.
-constexpr std::uint32_t kCheckpointVersion = 3;
+constexpr std::uint32_t kCheckpointVersion = 4;
 
 const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
                        "resume from an earlier one, or run again"};
@@ -151,6 +151,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   now_ = std::move(now);
   next_ = now_;
   contacts_ = std::move(contacts);
+  forces_.forgetRows();
   ledger_ = ledger;
   work_ = work;
   segmentStart_ = times[0];

@@ -218,15 +218,16 @@ TEST_CASE("lists of neighbours find every pair that touches, however nodes move 
   BruteForce truth(network, settings);
   sim::Motion motion{sim::NodeVectors(count), sim::NodeVectors(count)};
   for (std::size_t n = 0; n < count; ++n) motion.position.set(n, network.positions[n]);
-  sim::Contacts::Forces forces{sim::NodeVectors(count), sim::NodeVectors(count),
-                               std::vector<std::uint8_t>(layout.blockCount(), 0)};
+  sim::Contacts::Forces forces;
+  forces.touched.assign(layout.blockCount(), 0);
   const std::vector<sim::MaterialNow> materials(1);
   std::size_t pushing = 0;
   constexpr double kStep = 1e-3;
   constexpr int kSteps = 300;
   for (int step = 0; step < kSteps; ++step) {
     if (contacts.stale()) contacts.rebuild(motion, components, breakage, {});
-    contacts.computeForces({motion, {}, materials, kStep}, forces);
+    contacts.computeForces({motion, {}, materials, kStep, 0.0}, forces);
+    contacts.settle(motion);
     const std::vector<Vec3> expected = truth.forces(motion, components);
     double travel = 0.0;
     for (std::size_t n = 0; n < count; ++n) {
