@@ -97,6 +97,9 @@ sim::Result<std::unique_ptr<sim::Simulation>> start(const modeling::Scene& scene
   auto built = modeling::build(scene, modeling::resourcesFolder() / "scenes");
   if (!built) return built.problem();
   built->conditions.settings.threads = threads;
+  // What is measured is the work that moving takes, so that nothing may rest.
+  built->conditions.settings.skip.sleep = false;
+  built->conditions.settings.skip.rigid = false;
   return sim::Simulation::create(std::move(built->network), built->conditions.environment,
                                  built->conditions.tracks, built->conditions.settings);
 }

@@ -5,7 +5,7 @@ namespace {
 
 #ifdef SMITHEREENS_X86_KERNELS
 bool hasAvx2() {
-  return __builtin_cpu_supports("avx2");
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 bool hasAvx512() {
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&

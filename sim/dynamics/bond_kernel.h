@@ -19,25 +19,32 @@ struct SlotLanes {
   double damping[kBlockNodes];     ///< g/s
 };
 
-/// One direction of a block: at most one bond of each of its nodes, to the node at `offset` behind it
+/// Constants that all bonds of a slot share.
+struct SlotConstants {
+  double stiffness = 0.0;   ///< dyn/cm
+  double restLength = 0.0;  ///< cm
+  double damping = 0.0;     ///< g/s
+};
+
+/// One direction of a block: at most one bond of each of its nodes, to the node at `where` behind it
 /// (contiguous) or named lane by lane (gathered). Every bond appears twice, once from each end, so that each
-/// node gathers the whole force on it in a fixed order and nothing is scattered.
+/// node gathers the whole force on it in a fixed order and nothing is scattered. A quarter of a cache line:
+/// large bodies are bound by reading these.
 struct BondSlot {
-  std::int32_t offset = 0;   ///< of the neighbour's index, for contiguous slots
-  std::uint32_t lanes = 0;   ///< index of SlotLanes, for varied slots
-  std::uint32_t gather = 0;  ///< index of the sixteen neighbour indices, for gathered slots
-  float thresholdFloor =
-      0.0F;                ///< the smallest threshold among the lanes, infinite where nothing here can break
+  std::int32_t where = 0;       ///< offset of the neighbour's index; gathered: place of sixteen indices
+  std::uint32_t constants = 0;  ///< index of SlotConstants; varied: of SlotLanes
+  /// Rest length over the length at which the first of the lanes may break: at most 1, and 0 where nothing
+  /// here can. Rounded so that no break is missed; the exact test follows.
+  float breakRatio = 0.0F;
   std::uint16_t live = 0;  ///< bit a lane: its bond is there and whole
   std::uint8_t material = 0;
-  bool gathered = false;
-  bool varied = false;
-  bool plastic = false;
-  bool tested = false;     ///< this end of the bonds tests them for breaking (the other end need not)
-  double stiffness = 0.0;  ///< of all lanes unless varied
-  double restLength = 0.0;
-  double damping = 0.0;
+  bool gathered : 1;
+  bool varied : 1;
+  bool plastic : 1;
+  bool damped : 1;  ///< some lane has a damper
+  bool tested : 1;  ///< this end of the bonds tests them for breaking (the other end need not)
 };
+static_assert(sizeof(BondSlot) == 16);
 
 /// How the present moment changes a material.
 struct MaterialNow {
@@ -58,6 +65,7 @@ struct KernelStep {
   const BondSlot* slots;
   const std::uint32_t* firstSlot;  ///< a block's slots are [firstSlot[b], firstSlot[b] + slotCount[b])
   const std::uint16_t* slotCount;
+  const SlotConstants* constants;
   SlotLanes* lanes;
   const std::uint32_t* gathers;  ///< sixteen neighbour indices each
 
@@ -92,8 +100,9 @@ struct BlockReport {
 using StepBlocks = void (*)(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock,
                             BlockReport* reports);
 
-/// Kernels: the same source compiled for plain x86-64 (or any processor), AVX2 and AVX-512. All round
-/// identically, so all give the same bits.
+/// Kernels: the same source compiled for plain x86-64 (or any processor), AVX2 and AVX-512. Each gives the
+/// same bits whatever the number of threads; from one to the other results differ by rounding, since AVX2 and
+/// AVX-512 multiply and add at once, and AVX-512 refines an estimate of 1 / r instead of dividing by a root.
 enum class KernelKind { automatic, plain, avx2, avx512 };
 
 /// The kernel of that kind, or null where this build or this processor has none. automatic: the fastest there

@@ -12,9 +12,11 @@ namespace {
 /// Directions shared by fewer lanes of a block than this are gathered: a contiguous slot costs about as much
 /// as a gathered one of the same number of lanes, but gathered slots pack several directions together.
 constexpr std::size_t kFewestContiguous = 4;
-/// Slots test against slightly less than the smallest threshold, since that is rounded to float; the exact
-/// test follows.
-constexpr float kFloorShare = 1.0F - 1e-6F;
+/// A slot with breakRatio 1 is suspect when stretched at all: thresholds this small are tested exactly.
+float breakRatioOf(float threshold) {
+  const double ratio = 1.0 / (1.0 + (1.0 - 1e-6) * static_cast<double>(threshold));
+  return std::min(1.0F, std::nextafter(static_cast<float>(ratio), 2.0F));
+}
 
 /// One end of one bond.
 struct HalfBond {
@@ -49,7 +51,8 @@ struct LowerRows {
 
 class BondLayout::Builder {
  public:
-  Builder(const Network& network, BondLayout& layout) : network_(network), layout_(layout), lower_(network) {}
+  Builder(const Network& network, BondLayout& layout)
+      : network_(network), layout_(layout), lower_(network), placeOfClass_(network.classes.size(), kNone) {}
 
   void addBlock(std::size_t block) {
     collect(block);
@@ -119,33 +122,39 @@ class BondLayout::Builder {
 
   void addSlot(std::span<const HalfBond> run, std::size_t block, bool gathered) {
     const Material& material = network_.materials[run.front().material];
-    BondSlot slot;
-    slot.offset = run.front().offset;
+    BondSlot slot{};
+    slot.where = run.front().offset;
     slot.material = run.front().material;
     slot.gathered = gathered;
     slot.plastic = std::isfinite(material.yieldStrain) && material.flowRate > 0.0;
     slot.varied = slot.plastic || std::any_of(run.begin(), run.end(), [&](const HalfBond& half) {
                     return network_.bondClasses[half.bond] != network_.bondClasses[run.front().bond];
                   });
-    slot.thresholdFloor = std::numeric_limits<float>::infinity();
+    float threshold = std::numeric_limits<float>::infinity();
     for (const HalfBond& half : run) {
       slot.live = static_cast<std::uint16_t>(slot.live | (1U << half.lane));
-      slot.thresholdFloor = std::min(slot.thresholdFloor, network_.thresholds[half.bond] * kFloorShare);
+      slot.damped = slot.damped || network_.bond(half.bond).damping > 0.0;
+      threshold = std::min(threshold, network_.thresholds[half.bond]);
     }
-    slot.tested = std::isfinite(slot.thresholdFloor) && (gathered || slot.offset > 0);
-    setConstants(slot, run);
-    if (gathered) setGather(slot, run, block);
+    slot.breakRatio = breakRatioOf(threshold);
+    slot.tested = std::isfinite(threshold) && (gathered || slot.where > 0);
+    slot.constants = slot.varied ? addLanes(run) : constantsOf(network_.bondClasses[run.front().bond]);
+    if (gathered) slot.where = addGather(run, block);
     layout_.hasPlastic_ = layout_.hasPlastic_ || slot.plastic;
     layout_.slots_.push_back(slot);
   }
 
-  void setConstants(BondSlot& slot, std::span<const HalfBond> run) {
-    const BondClass& common = network_.bond(run.front().bond);
-    slot.stiffness = common.stiffness;
-    slot.restLength = common.restLength;
-    slot.damping = common.damping;
-    if (!slot.varied) return;
-    slot.lanes = static_cast<std::uint32_t>(layout_.lanes_.size());
+  std::uint32_t constantsOf(std::uint32_t bondClass) {
+    std::uint32_t& place = placeOfClass_[bondClass];
+    if (place == kNone) {
+      place = static_cast<std::uint32_t>(layout_.constants_.size());
+      const BondClass& common = network_.classes[bondClass];
+      layout_.constants_.push_back({common.stiffness, common.restLength, common.damping});
+    }
+    return place;
+  }
+
+  std::uint32_t addLanes(std::span<const HalfBond> run) {
     SlotLanes lanes{};
     std::fill(std::begin(lanes.restLength), std::end(lanes.restLength), 1.0);
     for (const HalfBond& half : run) {
@@ -155,22 +164,26 @@ class BondLayout::Builder {
       lanes.damping[half.lane] = bond.damping;
     }
     layout_.lanes_.push_back(lanes);
+    return static_cast<std::uint32_t>(layout_.lanes_.size() - 1);
   }
 
   /// Dead lanes name their own node: in range, and their force is masked away.
-  void setGather(BondSlot& slot, std::span<const HalfBond> run, std::size_t block) {
-    slot.gather = static_cast<std::uint32_t>(layout_.gathers_.size());
+  std::int32_t addGather(std::span<const HalfBond> run, std::size_t block) {
+    const std::size_t place = layout_.gathers_.size();
+    assert(place <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()));
     const auto begin = static_cast<std::uint32_t>(block * kBlockNodes);
     for (std::uint32_t lane = 0; lane < kBlockNodes; ++lane) layout_.gathers_.push_back(begin + lane);
     for (const HalfBond& half : run) {
-      layout_.gathers_[slot.gather + half.lane] =
+      layout_.gathers_[place + half.lane] =
           static_cast<std::uint32_t>(static_cast<std::int64_t>(begin + half.lane) + half.offset);
     }
+    return static_cast<std::int32_t>(place);
   }
 
   const Network& network_;
   BondLayout& layout_;
   LowerRows lower_;
+  std::vector<std::uint32_t> placeOfClass_;  ///< in constants_, or kNone
   std::vector<HalfBond> halves_;
   std::vector<HalfBond> rest_;
 };
@@ -191,8 +204,8 @@ BondLayout::Place BondLayout::find(NodeIndex node, NodeIndex neighbour) const {
   BondSlot* const first = slots_.data() + firstSlot_[block];
   for (BondSlot* slot = first; slot != first + slotCount_[block]; ++slot) {
     if (((slot->live >> lane) & 1U) == 0) continue;
-    const bool here = slot->gathered ? gathers_[slot->gather + lane] == neighbour
-                                     : static_cast<std::int64_t>(node) + slot->offset ==
+    const bool here = slot->gathered ? gathers_[static_cast<std::size_t>(slot->where) + lane] == neighbour
+                                     : static_cast<std::int64_t>(node) + slot->where ==
                                            static_cast<std::int64_t>(neighbour);
     if (here) return {slot, lane};
   }
@@ -221,13 +234,14 @@ double BondLayout::restLength(const Network& network, BondIndex bond) const {
   if (!hasPlastic_) return network.bond(bond).restLength;
   const Place place = find(network.bondStart(bond), network.bondEnds[bond]);
   if (place.slot == nullptr || !place.slot->varied) return network.bond(bond).restLength;
-  return lanes_[place.slot->lanes].restLength[place.lane];
+  return lanes_[place.slot->constants].restLength[place.lane];
 }
 
 void BondLayout::describe(KernelStep& step) const {
   step.slots = slots_.data();
   step.firstSlot = firstSlot_.data();
   step.slotCount = slotCount_.data();
+  step.constants = constants_.data();
   step.lanes = lanes_.data();
   step.gathers = gathers_.data();
 }
@@ -253,7 +267,8 @@ void BondLayout::setPlasticRestLengths(std::span<const double> lengths) {
 std::size_t BondLayout::memoryBytes() const {
   return slots_.capacity() * sizeof(BondSlot) +
          (firstSlot_.capacity() + gathers_.capacity()) * sizeof(std::uint32_t) +
-         slotCount_.capacity() * sizeof(std::uint16_t) + lanes_.capacity() * sizeof(SlotLanes);
+         slotCount_.capacity() * sizeof(std::uint16_t) + lanes_.capacity() * sizeof(SlotLanes) +
+         constants_.capacity() * sizeof(SlotConstants);
 }
 
 }  // namespace sim

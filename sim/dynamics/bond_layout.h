@@ -32,8 +32,8 @@ class BondLayout {
     const BondSlot* const first = slots_.data() + firstSlot_[block];
     for (const BondSlot* slot = first; slot != first + slotCount_[block]; ++slot) {
       if (((slot->live >> lane) & 1U) == 0) continue;
-      visit(slot->gathered ? gathers_[slot->gather + lane]
-                           : static_cast<NodeIndex>(static_cast<std::int64_t>(node) + slot->offset));
+      visit(slot->gathered ? gathers_[static_cast<std::size_t>(slot->where) + lane]
+                           : static_cast<NodeIndex>(static_cast<std::int64_t>(node) + slot->where));
     }
   }
 
@@ -62,6 +62,7 @@ class BondLayout {
   mutable AlignedVector<BondSlot> slots_;
   std::vector<std::uint32_t> firstSlot_;
   std::vector<std::uint16_t> slotCount_;
+  std::vector<SlotConstants> constants_;  ///< the classes of uniform slots
   mutable AlignedVector<SlotLanes> lanes_;
   std::vector<std::uint32_t> gathers_;
   bool hasPlastic_ = false;

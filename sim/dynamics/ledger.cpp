@@ -22,14 +22,16 @@ double slotEnergy(const KernelStep& step, const BondSlot& slot, std::size_t bloc
     if (((static_cast<unsigned>(slot.live & step.awake[block]) >> lane) & 1U) == 0) continue;
     const std::size_t node = block * kBlockNodes + lane;
     const std::size_t other = slot.gathered
-                                  ? step.gathers[slot.gather + lane]
-                                  : static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + slot.offset);
+                                  ? step.gathers[static_cast<std::size_t>(slot.where) + lane]
+                                  : static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + slot.where);
     if (other < node) continue;
     double squared = 0.0;
     for (const double* axis : step.now.position)
       squared += (axis[other] - axis[node]) * (axis[other] - axis[node]);
-    const double restLength = slot.varied ? step.lanes[slot.lanes].restLength[lane] : slot.restLength;
-    const double stiffness = slot.varied ? step.lanes[slot.lanes].stiffness[lane] : slot.stiffness;
+    const double restLength =
+        slot.varied ? step.lanes[slot.constants].restLength[lane] : step.constants[slot.constants].restLength;
+    const double stiffness =
+        slot.varied ? step.lanes[slot.constants].stiffness[lane] : step.constants[slot.constants].stiffness;
     const double extension = std::sqrt(squared) - restLength;
     sum += 0.5 * stiffness * material.stiffnessScale * extension * extension;
   }
