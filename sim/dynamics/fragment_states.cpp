@@ -8,9 +8,9 @@ namespace {
 
 /// A fragment is at rest when the root mean square speed of its rigid motion has been below both, for so long
 /// that it could have fallen: this share of sqrt(g h), ...
-constexpr double kRestOfFall = 0.02;
+constexpr double kRestOfFall = 0.05;
 /// ... this share of the highest root mean square speed the whole scene has had.
-constexpr double kRestOfPeak = 2e-3;
+constexpr double kRestOfPeak = 5e-3;
 /// A node that chatters between two contacts may go on: the vibration may be so many times as fast.
 constexpr double kVibration = 3.0;
 /// In units of sqrt(h / g). A fragment at the top of its flight is slow for sqrt(h / g) / 50 only.
@@ -80,8 +80,7 @@ void FragmentStates::findSkippable() {
 }
 
 double FragmentStates::Sums::rigidSpeedSquared() const {
-  const double spin = angularMomentum.dot(inertia.completeOrthogonalDecomposition().solve(angularMomentum));
-  return (momentum.squaredNorm() / mass + spin) / mass;
+  return (momentum.squaredNorm() / mass + spin.dot(angularMomentum)) / mass;
 }
 
 /// Those of fragments that sleep have no motion, and those of rigid ones their kinetic energy and momentum.
@@ -109,6 +108,10 @@ std::vector<FragmentStates::Sums> FragmentStates::sumFragments() {
     sum.angularMomentum += mass * arm.cross(world_.now.velocity.get(node));
     sum.inertia += mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
   }
+  for (Sums& sum : sums) {
+    if (sum.inertia.trace() > 0.0)
+      sum.spin = sum.inertia.completeOrthogonalDecomposition().solve(sum.angularMomentum);
+  }
   for (const RigidBody& body : bodies_) {
     sums[body.fragment()].kinetic = body.kineticEnergy();
     sums[body.fragment()].momentum = body.mass() * body.velocity();
@@ -127,7 +130,8 @@ void FragmentStates::review(double time) {
   time_ = time;
   activity_.listNodes(world_.components);
   const std::vector<Sums> sums = sumFragments();
-  noteNeighbours();
+  noteNeighbours(sums);
+  noteTouches();
   if (skip_.sleep) {
     wakeByContact(sums);
     fallAsleep(sums);
@@ -148,16 +152,33 @@ std::vector<std::uint8_t> FragmentStates::nearSomething() const {
   return near;
 }
 
-void FragmentStates::noteNeighbours() {
+/// What is near anything has melted, so that `sums` know how both of a pair move.
+void FragmentStates::noteNeighbours(const std::vector<Sums>& sums) {
   neighboursBefore_.swap(neighbours_);
   neighbours_.clear();
   world_.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
-    const FragmentId a = world_.components.of(i);
-    const FragmentId b = world_.components.of(j);
-    if (a != b) neighbours_.push_back({std::min(a, b), std::max(a, b)});
+    FragmentId a = world_.components.of(i);
+    FragmentId b = world_.components.of(j);
+    if (a == b || !(sums[a].mass > 0.0) || !(sums[b].mass > 0.0)) return;
+    const Vec3 from = world_.now.position.get(i);
+    const Vec3 to = world_.now.position.get(j);
+    const double approach = (sums[a].velocityAt(from) - sums[b].velocityAt(to)).dot((to - from).normalized());
+    if (a > b) std::swap(a, b);
+    neighbours_.push_back({a, b, approach});
   });
-  std::sort(neighbours_.begin(), neighbours_.end());
-  neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+  std::ranges::stable_sort(neighbours_, std::less<>());
+  std::size_t kept = 0;
+  for (const Neighbours& pair : neighbours_) {
+    if (kept > 0 && neighbours_[kept - 1].samePair(pair)) {
+      neighbours_[kept - 1].approach = std::max(neighbours_[kept - 1].approach, pair.approach);
+    } else {
+      neighbours_[kept++] = pair;
+    }
+  }
+  neighbours_.resize(kept);
+}
+
+void FragmentStates::noteTouches() {
   const std::vector<std::uint8_t> near = nearSomething();
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
     Record& record = records_[fragment];
@@ -166,7 +187,7 @@ void FragmentStates::noteNeighbours() {
   }
 }
 
-/// What is still for long enough sleeps, unless something next to it moves that could move it.
+/// What is still for long enough sleeps, unless something nears it that could move it.
 void FragmentStates::fallAsleep(const std::vector<Sums>& sums) {
   const RestLimits limits = restLimits();
   std::vector<std::uint8_t> resting(records_.size(), 0);
@@ -180,20 +201,9 @@ void FragmentStates::fallAsleep(const std::vector<Sums>& sums) {
     resting[fragment] =
         records_[fragment].skippable && time_ - records_[fragment].stillSince > limits.time ? 1 : 0;
   }
-  const auto disturbs = [&](FragmentId one, FragmentId other) {
-    return resting[one] == 0 && activity_.stateOf(one) != FragmentState::asleep &&
-           sums[one].momentum.norm() > limits.speed * sums[other].mass;
-  };
-  bool changed = true;
-  while (changed) {
-    changed = false;
-    for (const auto& [a, b] : neighbours_) {
-      for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-        if (resting[other] == 0 || !disturbs(one, other)) continue;
-        resting[other] = 0;
-        changed = true;
-      }
-    }
+  for (const auto& [a, b, approach] : neighbours_) {
+    if (sums[a].mass * approach > limits.speed * sums[b].mass) resting[b] = 0;
+    if (sums[b].mass * approach > limits.speed * sums[a].mass) resting[a] = 0;
   }
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
     if (resting[fragment] != 0 && !flows(fragment)) putToSleep(fragment, sums[fragment].kinetic);
@@ -220,47 +230,27 @@ bool FragmentStates::flows(FragmentId fragment) const {
   return false;
 }
 
-/// What moves beside a sleeper, and could move it by more than counts as rest, wakes it; and all that rests
-/// against it wakes with it, since it may have been held up by it.
+void FragmentStates::wakeIfAsleep(FragmentId fragment) {
+  if (activity_.stateOf(fragment) == FragmentState::asleep) wake(fragment);
+}
+
+/// What nears a sleeper, and could give it more than the speed of rest, wakes it. So does what goes away from
+/// it, since it may have held it up.
 void FragmentStates::wakeByContact(const std::vector<Sums>& sums) {
   if (!activity_.any(FragmentState::asleep)) return;
-  const double restSpeed = restLimits().speed;
-  const auto asleep = [&](FragmentId f) { return activity_.stateOf(f) == FragmentState::asleep; };
-  const auto strikes = [&](FragmentId one, FragmentId other) {
-    return !asleep(one) && asleep(other) && sums[one].momentum.norm() > kWake * restSpeed * sums[other].mass;
-  };
-  std::vector<FragmentId> woken = leftBehind(sums);
-  for (const auto& [a, b] : neighbours_) {
-    if (strikes(a, b)) woken.push_back(b);
-    if (strikes(b, a)) woken.push_back(a);
+  wakeLeftBehind(sums);
+  const double enough = kWake * restLimits().speed;
+  for (const auto& [a, b, approach] : neighbours_) {
+    if (sums[a].mass * approach > enough * sums[b].mass) wakeIfAsleep(b);
+    if (sums[b].mass * approach > enough * sums[a].mass) wakeIfAsleep(a);
   }
-  wakeTogether(std::move(woken), sums);
 }
 
-/// Sleepers that something heavy enough to have held them up went away from.
-std::vector<FragmentId> FragmentStates::leftBehind(const std::vector<Sums>& sums) const {
-  std::vector<FragmentId> left;
+void FragmentStates::wakeLeftBehind(const std::vector<Sums>& sums) {
   for (const Neighbours& pair : neighboursBefore_) {
-    if (std::ranges::binary_search(neighbours_, pair)) continue;
-    for (const auto& [one, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
-      if (activity_.stateOf(one) != FragmentState::asleep && sums[one].mass > kLightShare * sums[other].mass)
-        left.push_back(other);
-    }
-  }
-  return left;
-}
-
-void FragmentStates::wakeTogether(std::vector<FragmentId> fragments, const std::vector<Sums>& sums) {
-  while (!fragments.empty()) {
-    const FragmentId woken = fragments.back();
-    fragments.pop_back();
-    if (activity_.stateOf(woken) != FragmentState::asleep) continue;
-    wake(woken);
-    for (const auto& [a, b] : neighbours_) {
-      if (a != woken && b != woken) continue;
-      const FragmentId other = a == woken ? b : a;
-      if (sums[woken].mass > kLightShare * sums[other].mass) fragments.push_back(other);
-    }
+    if (std::ranges::binary_search(neighbours_, pair, std::less<>())) continue;
+    if (sums[pair.a].mass > kLightShare * sums[pair.b].mass) wakeIfAsleep(pair.b);
+    if (sums[pair.b].mass > kLightShare * sums[pair.a].mass) wakeIfAsleep(pair.a);
   }
 }
 
@@ -414,8 +404,9 @@ void FragmentStates::noteNewRows(double time) {
     });
   }
   if (activity_.any(FragmentState::asleep)) {
-    noteNeighbours();
-    wakeByContact(sumFragments());
+    const std::vector<Sums> sums = sumFragments();
+    noteNeighbours(sums);
+    wakeByContact(sums);
   }
   apply();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
 #include <optional>
 #include <span>
 #include <vector>
@@ -102,7 +101,10 @@ class FragmentStates {
   struct Neighbours {
     FragmentId a = kNone;  ///< the lower
     FragmentId b = kNone;
-    auto operator<=>(const Neighbours&) const = default;
+    double approach = 0.0;  ///< cm/s: fastest of their nodes near each other, by their rigid motions
+
+    bool samePair(const Neighbours& other) const { return a == other.a && b == other.b; }
+    bool operator<(const Neighbours& other) const { return a != other.a ? a < other.a : b < other.b; }
   };
   /// How a fragment moves.
   struct Sums {
@@ -110,9 +112,12 @@ class FragmentStates {
     double kinetic = 0.0;  ///< erg
     Vec3 centre = Vec3::Zero();
     Vec3 momentum = Vec3::Zero();                       ///< g cm/s
+    Vec3 spin = Vec3::Zero();                           ///< angular velocity of the rigid motion, rad/s
     Vec3 angularMomentum = Vec3::Zero();                ///< about the centre, g cm^2/s
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre, g cm^2
 
+    /// By the rigid motion, cm/s.
+    Vec3 velocityAt(const Vec3& point) const { return momentum / mass + spin.cross(point - centre); }
     /// Squared root mean square speeds of the rigid motion and of the vibration beside it, cm^2/s^2.
     double rigidSpeedSquared() const;
     double vibrationSquared() const { return std::max(0.0, 2.0 * kinetic / mass - rigidSpeedSquared()); }
@@ -125,13 +130,14 @@ class FragmentStates {
   void findSkippable();
   RestLimits restLimits() const;
   std::vector<Sums> sumFragments();
-  std::vector<FragmentId> leftBehind(const std::vector<Sums>& sums) const;
-  void noteNeighbours();
+  void noteNeighbours(const std::vector<Sums>& sums);
+  void noteTouches();
   std::vector<std::uint8_t> nearSomething() const;
   void fallAsleep(const std::vector<Sums>& sums);
   bool flows(FragmentId fragment) const;
   void wakeByContact(const std::vector<Sums>& sums);
-  void wakeTogether(std::vector<FragmentId> fragments, const std::vector<Sums>& sums);
+  void wakeLeftBehind(const std::vector<Sums>& sums);
+  void wakeIfAsleep(FragmentId fragment);
   void freeze();
   bool isCalm(const RigidBody& body, bool disturbed) const;
   double strainOf(BondIndex bond) const;
