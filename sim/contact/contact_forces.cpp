@@ -77,16 +77,24 @@ void Contacts::clear(Forces& forces) {
   }
 }
 
-void Contacts::prepare(Forces& forces) const {
+void Contacts::prepare(const Moment& moment, Forces& forces) const {
   if (forces.total.size() == 0) {
     forces.total = NodeVectors(network_->nodeCount());
     forces.lossy = NodeVectors(network_->nodeCount());
   }
   clear(forces);
-  if (forces.looksOfRebuild == rebuilds_ && forces.looks.size() == rows_.size()) return;
-  forces.looksOfRebuild = rebuilds_;
-  forces.looks.assign(rows_.size(), {});
-  forces.touching.resize(entries_.size());
+  const bool sameRows = forces.looksOfRebuild == rebuilds_ && forces.looks.size() == rows_.size();
+  if (!sameRows) {
+    forces.looksOfRebuild = rebuilds_;
+    forces.looks.assign(rows_.size(), {});
+    forces.touching.resize(entries_.size());
+  }
+  if (sameRows && forces.watchedVersion == moment.awakeVersion && !forces.watched.empty()) return;
+  forces.watchedVersion = moment.awakeVersion;
+  forces.watched.clear();
+  for (std::uint32_t row = 0; row < rows_.size(); ++row) {
+    if (isAwake(rows_[row].node, moment)) forces.watched.push_back(row);
+  }
 }
 
 /// Finds what touches in a row, and how long nothing can, if nothing does.
@@ -135,7 +143,8 @@ Contacts::Push Contacts::pairPush(NodeIndex node, const Entry& entry, const Mome
   const double normal = std::max(0.0, elastic - constants.damping * separating);
   Push push{-normal * direction, (elastic - normal) * direction};
   if (entry.brokenBond == kNone && settings_.friction > 0.0) {
-    const double reduced = 1.0 / (1.0 / massShare(node, looks) + 1.0 / massShare(entry.other, looks));
+    const double give = isAwake(entry.other, moment) ? 1.0 / massShare(entry.other, looks) : 0.0;
+    const double reduced = 1.0 / (1.0 / massShare(node, looks) + give);
     const Vec3 slip = -(relative - separating * direction);
     const Vec3 friction = frictionForce(slip, settings_.friction * elastic, reduced, moment.kick);
     push.total += friction;
@@ -204,12 +213,13 @@ void Contacts::pushFresh(const Moment& moment, Forces& forces) const {
 }
 
 Contacts::ColliderWork Contacts::computeForces(const Moment& moment, Forces& forces) const {
-  prepare(forces);
-  parallelRanges(rows_.size(), kLookGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) look(static_cast<std::uint32_t>(r), moment, forces);
+  prepare(moment, forces);
+  const std::vector<std::uint32_t>& watched = forces.watched;
+  parallelRanges(watched.size(), kLookGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t w = begin; w < end; ++w) look(watched[w], moment, forces);
   });
   forces.busy.clear();
-  for (std::uint32_t r = 0; r < rows_.size(); ++r) {
+  for (const std::uint32_t r : watched) {
     if (forces.looks[r].touching + forces.looks[r].active == 0) continue;
     forces.busy.push_back(r);
     forces.touched[rows_[r].node / kBlockNodes] = 1;

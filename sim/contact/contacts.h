@@ -51,6 +51,10 @@ class Contacts {
     /// cm: no node is further than this from where it was at the last age(). Unknown for trial states: then
     /// every row is looked at.
     double lead = std::numeric_limits<double>::infinity();
+    /// Bit a lane, one number a block: the node is moved by forces. Empty: all are. Others stand like walls,
+    /// and forces on them are not found.
+    std::span<const std::uint16_t> awake = {};
+    std::uint64_t awakeVersion = 0;  ///< another number whenever `awake` says otherwise than before
   };
 
   /// A bond broke at this rest length: it goes on repelling.
@@ -109,10 +113,15 @@ class Contacts {
 
     std::uint64_t looksOfRebuild = 0;     ///< whose rows the looks are about
     std::vector<RowLook> looks;           ///< by row
+    std::uint64_t watchedVersion = 0;     ///< of Moment::awake
+    std::vector<std::uint32_t> watched;   ///< rows of nodes that are awake
     std::vector<std::uint32_t> touching;  ///< entries, at the places of their row
     std::vector<std::uint32_t> busy;      ///< rows that may push
     std::vector<ColliderWork> work;       ///< by busy row
-    void forgetRows() { looks.clear(); }
+    void forgetRows() {
+      looks.clear();
+      watched.clear();
+    }
   };
   /// Sets the forces of this moment, which need not be the one that age() was told of. Call only where
   /// !quiet(), else clear().
@@ -204,8 +213,12 @@ class Contacts {
     double damping = 0.0;    ///< g/s
   };
   PairConstants constantsOf(NodeIndex node, const Entry& entry, std::span<const MaterialNow> materials) const;
+  static bool isAwake(NodeIndex node, const Moment& moment) {
+    return moment.awake.empty() ||
+           ((static_cast<unsigned>(moment.awake[node / kBlockNodes]) >> (node % kBlockNodes)) & 1U) != 0;
+  }
   double massShare(NodeIndex node, std::span<const RowLook> looks) const;
-  void prepare(Forces& forces) const;
+  void prepare(const Moment& moment, Forces& forces) const;
   void look(std::uint32_t row, const Moment& moment, Forces& forces) const;
   Push pairPush(NodeIndex node, const Entry& entry, const Moment& moment,
                 std::span<const RowLook> looks) const;

@@ -37,6 +37,7 @@ void Activity::set(FragmentId fragment, FragmentState state) {
 void Activity::refresh(const Components& components) {
   const std::vector<FragmentId>& fragmentOfNode = components.fragmentOfNode();
   activeBlocks_.clear();
+  ++version_;
   for (std::size_t block = 0; block < awakeLanes_.size(); ++block) {
     unsigned awake = 0;
     const std::size_t first = block * kBlockNodes;

@@ -31,6 +31,8 @@ class Activity {
   void set(FragmentId fragment, FragmentState state);
   void refresh(const Components& components);
 
+  /// Another number after every refresh().
+  std::uint64_t version() const { return version_; }
   /// Bit a lane, one number a block: the node deforms.
   std::span<const std::uint16_t> awakeLanes() const { return awakeLanes_; }
   /// The same for nodes that do not.
@@ -56,6 +58,7 @@ class Activity {
   std::vector<std::uint32_t> activeBlocks_;
   std::vector<std::uint32_t> firstNode_;
   std::vector<NodeIndex> nodes_;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace sim

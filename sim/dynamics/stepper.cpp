@@ -73,7 +73,13 @@ double Stepper::kick() const {
 }
 
 Contacts::Moment Stepper::moment() const {
-  return {now_, controls_.colliders(), controls_.materials(), kick(), 0.0};
+  return {now_,
+          controls_.colliders(),
+          controls_.materials(),
+          kick(),
+          0.0,
+          fragments_.activity().awakeLanes(),
+          fragments_.activity().version()};
 }
 
 /// Tracks change the world at fixed positions; what that does to the energy is work from outside. The half
