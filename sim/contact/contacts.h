@@ -7,6 +7,7 @@
 
 #include "sim/base/bytes.h"
 #include "sim/contact/hash_grid.h"
+#include "sim/dynamics/methods/tangent.h"
 #include "sim/dynamics/settings.h"
 #include "sim/fracture/breakage.h"
 #include "sim/fracture/components.h"
@@ -130,6 +131,9 @@ class Contacts {
   /// Lets rho grow where pairs are apart. Once a step; forces of the same moment do not depend on it.
   void settle(const Motion& motion);
 
+  /// Adds what pushes now, for implicit methods; `forces` are those of this moment.
+  void addTangents(const Moment& moment, const Forces& forces, std::vector<Tangent>& tangents) const;
+
   /// Energy in compressed contacts, colliders and broken bonds, erg.
   double energy(const Moment& moment) const;
 
@@ -225,6 +229,10 @@ class Contacts {
   Push colliderPush(NodeIndex node, const MovingCollider& collider, const Moment& moment,
                     std::span<const RowLook> looks, ColliderWork& work) const;
   ColliderWork pushRow(std::uint32_t row, const Moment& moment, Forces& forces) const;
+  void addPairTangent(NodeIndex node, const Entry& entry, const Moment& moment,
+                      std::span<const RowLook> looks, std::vector<Tangent>& tangents) const;
+  void addColliderTangent(NodeIndex node, const MovingCollider& collider, const Moment& moment,
+                          std::span<const RowLook> looks, std::vector<Tangent>& tangents) const;
   void pushFresh(const Moment& moment, Forces& forces) const;
   double colliderStiffness(NodeIndex node, const Collider& collider,
                            std::span<const MaterialNow> materials) const;

@@ -6,7 +6,7 @@ namespace sim {
 
 const std::vector<std::string>& methodNames() {
   static const std::vector<std::string> names = {"forward-euler", "symplectic-euler", "velocity-verlet",
-                                                 "rk4"};
+                                                 "rk4",           "implicit-euler",   "implicit-midpoint"};
   return names;
 }
 
@@ -23,6 +23,10 @@ std::string_view nameOf(Method method) {
 bool isLeapfrog(Method method) {
   return method == Method::forwardEuler || method == Method::symplecticEuler ||
          method == Method::velocityVerlet;
+}
+
+bool isImplicit(Method method) {
+  return method == Method::implicitEuler || method == Method::implicitMidpoint;
 }
 
 }  // namespace sim

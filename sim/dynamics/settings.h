@@ -9,13 +9,23 @@
 
 namespace sim {
 
-enum class Method { forwardEuler, symplecticEuler, velocityVerlet, rungeKutta };
+enum class Method {
+  forwardEuler,
+  symplecticEuler,
+  velocityVerlet,
+  rungeKutta,
+  implicitEuler,
+  implicitMidpoint
+};
 
-/// "forward-euler", "symplectic-euler", "velocity-verlet", "rk4"; nothing for any other name.
+/// "forward-euler", "symplectic-euler", "velocity-verlet", "rk4", "implicit-euler",
+/// "implicit-midpoint"; nothing for any other name.
 std::optional<Method> methodFromName(std::string_view name);
 std::string_view nameOf(Method method);
 /// Of the leapfrog family: one force a step, velocities kicked, positions drifted.
 bool isLeapfrog(Method method);
+/// Stable with any step.
+bool isImplicit(Method method);
 /// All names, for messages and help.
 const std::vector<std::string>& methodNames();
 

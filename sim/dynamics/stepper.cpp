@@ -39,16 +39,16 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       kernel_(stepBlocksFor(KernelKind::automatic)),
       now_{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())},
       next_(now_),
+      inverseMasses_(NodeVectors::paddedCount(network_.nodeCount()), 0.0),
       fragments_({network_, layout_, breakage_, components_, contacts_, controls_, ledger_, now_, next_,
                   inverseMasses_},
                  settings.skip),
       reports_(layout_.blockCount()),
-      oneStep_(oneStepMethod(settings.method, network_.nodeCount())),
+      oneStep_(oneStepMethod(settings.method, inverseMasses_, network_.nodeCount())),
       moreThreads_(allowThreads(settings.threads)),
       arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
   const std::size_t count = network_.nodeCount();
   forces_.touched.assign(layout_.blockCount(), 0);
-  inverseMasses_.assign(NodeVectors::paddedCount(count), 0.0);
   if (oneStep_) {
     startRates_ = {NodeVectors(count)};
     endRates_ = startRates_;

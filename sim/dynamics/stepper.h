@@ -75,6 +75,7 @@ class Stepper {
   class TrialWorld;
   Result<double> moveByOneStep();
   void ratesAt(const Motion& at, double ahead, Rates& rates);
+  void tangentsAt(const Motion& at, double ahead, std::vector<Tangent>& tangents) const;
   void makeStartKnown();
   void flowPlastically();
   double worstExcess(std::span<const Breakage::Overstretched> bonds, const Motion& motion) const;

