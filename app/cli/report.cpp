@@ -52,6 +52,7 @@ Json workJson(const sim::Work& work) {
           {"bonds_skipped", work.bondsSkipped},
           {"contact_pairs", work.contactPairs},
           {"neighbour_lists", work.neighbourLists},
+          {"contact_searches", work.contactSearches},
           {"labelings", work.labelings},
           {"bonds_rigid", work.bondsRigid},
           {"bonds_asleep", work.bondsAsleep},

@@ -16,6 +16,10 @@ constexpr double kColliderSkinShare = 1.0;
 constexpr std::uint32_t kStepsAfterBirth = 8;
 /// More broken pairs than this outside the rows cost more than a rebuild.
 constexpr std::size_t kMostFresh = 4096;
+/// Of the collider skin: a quarter of the largest radius is well within any cell.
+constexpr double kTravelShare = 0.25;
+/// What rounding may take off a distance between boxes.
+constexpr double kRounding = 1.0 + 1e-9;
 /// Nodes of one fragment that were nearer than this, in natural lengths, when at rest are no self contact.
 constexpr double kSelfRestShare = 2.0;
 
@@ -25,9 +29,10 @@ double distanceOf(const Motion& motion, NodeIndex i, NodeIndex j) {
 
 }  // namespace
 
-Contacts::Contacts(const Network& network, const ContactSettings& settings)
+Contacts::Contacts(const Network& network, const ContactSettings& settings, bool boxesFirst)
     : network_(&network),
       settings_(settings),
+      boxesFirst_(boxesFirst),
       nodeStiffness_(network.nodeCount(), std::numeric_limits<float>::max()) {
   for (NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
@@ -81,7 +86,13 @@ void Contacts::moveColliders(double travel) {
 }
 
 bool Contacts::choiceIsOld() const {
-  return pairsMayMeet_ && 2.0 * (odometer_ - odometerAtChoice_) > kChoiceShare * largestNatural_;
+  return (pairsMayMeet_ || hasColliders_) &&
+         2.0 * (odometer_ - odometerAtChoice_) > kChoiceShare * largestNatural_;
+}
+
+double Contacts::longestTravel() const {
+  const bool unlimited = !(pairsMayMeet_ || hasColliders_) || !(colliderSkin_ > 0.0);
+  return unlimited ? std::numeric_limits<double>::infinity() : kTravelShare * colliderSkin_;
 }
 
 void Contacts::age(const Motion& motion, double travel) {
@@ -161,9 +172,23 @@ void Contacts::collectBroken(const Motion& motion, const Components& components,
   }
 }
 
-void Contacts::collectContacts(const Motion& motion, const Components& components, const Breakage& breakage,
+std::vector<NodeIndex> Contacts::nodesToCompare(const Motion& motion, const Components& components,
+                                                const FragmentBoxes& boxes) const {
+  std::vector<NodeIndex> nodes;
+  const bool all = settings_.self || !boxesFirst_;
+  const auto meetings =
+      all ? std::vector<FragmentBoxes::Box>() : boxes.meetings(kRounding * (largestNatural_ + pairSkin_));
+  for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {
+    if (all || meetings[components.of(node)].contains(motion.position.get(node))) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+void Contacts::collectContacts(const Motion& motion, std::span<const NodeIndex> nodes,
+                               const Components& components, const Breakage& breakage,
                                std::vector<Candidate>& pairs) {
-  grid_.build(motion.position, components.fragmentOfNode(), largestNatural_ + pairSkin_);
+  ++searches_;
+  grid_.build(motion.position, nodes, components.fragmentOfNode(), largestNatural_ + pairSkin_);
   grid_.forEachNearPair(settings_.self, [&](NodeIndex first, NodeIndex second) {
     const NodeIndex i = std::min(first, second);
     const NodeIndex j = std::max(first, second);
@@ -178,15 +203,33 @@ void Contacts::collectContacts(const Motion& motion, const Components& component
   });
 }
 
+/// One flag a fragment. No depth changes by more than the way between two points.
+std::vector<std::uint8_t> Contacts::fragmentsNear(const Collider& collider, const FragmentBoxes& boxes,
+                                                  std::size_t fragmentCount) const {
+  std::vector<std::uint8_t> near(fragmentCount, 1);
+  for (FragmentId fragment = 0; boxesFirst_ && fragment < fragmentCount; ++fragment) {
+    const FragmentBoxes::Box& box = boxes.of(fragment);
+    if (box.isEmpty()) continue;
+    const double radius = 0.5 * box.diagonal().norm();
+    const double depth = intrusion(collider, box.center()).depth;
+    near[fragment] = depth + kRounding * (radius + colliderSkin_) > 0.0 ? 1 : 0;
+  }
+  return near;
+}
+
 std::vector<Contacts::NearCollider> Contacts::collectColliders(
-    const Motion& motion, std::span<const MovingCollider> colliders) const {
+    const Motion& motion, const Components& components, const FragmentBoxes& boxes,
+    std::span<const MovingCollider> colliders) const {
   std::vector<NearCollider> near;
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
     const Collider& collider = colliders[c].shape;
+    const auto fragments = fragmentsNear(collider, boxes, components.births().size());
+    if (std::find(fragments.begin(), fragments.end(), 1) == fragments.end()) continue;
     const bool plane = collider.shape == ColliderShape::floor;
     const Vec3 normal = collider.rotation * Vec3::UnitZ();
     const double offset = normal.dot(collider.position) + colliderSkin_;
     for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {
+      if (fragments[components.of(node)] == 0) continue;
       const Vec3 position = motion.position.get(node);
       const bool close =
           plane ? normal.dot(position) < offset : intrusion(collider, position).depth > -colliderSkin_;
@@ -219,7 +262,7 @@ void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<N
   rows_.clear();
   entries_.clear();
   nearColliders_.clear();
-  rowOfNode_.assign(network_->nodeCount(), kNone);
+  rowOfNode_.assign(halves.empty() && near.empty() ? 0 : network_->nodeCount(), kNone);
   for (std::size_t h = 0, c = 0; h < halves.size() || c < near.size();) {
     const NodeIndex node =
         std::min(h < halves.size() ? halves[h].node : kNone, c < near.size() ? near[c].node : kNone);
@@ -261,9 +304,13 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   std::vector<Candidate> pairs;
   collectBroken(motion, components, pairs);
   // Nodes without bonds have no size.
-  if ((several || settings_.self) && largestNatural_ > 0.0)
-    collectContacts(motion, components, breakage, pairs);
-  fillRows(pairs, collectColliders(motion, colliders));
+  const bool compared = (several || settings_.self) && largestNatural_ > 0.0;
+  const FragmentBoxes boxes(motion.position, components.fragmentOfNode(), components.births().size());
+  if (compared) {
+    const std::vector<NodeIndex> nodes = nodesToCompare(motion, components, boxes);
+    if (!nodes.empty()) collectContacts(motion, nodes, components, breakage, pairs);
+  }
+  fillRows(pairs, collectColliders(motion, components, boxes, colliders));
   pairsMayMeet_ = several || settings_.self || !broken_.empty();
   if (pairsMayMeet_ || hasColliders_) reference_ = motion.position;
   colliderTravel_ = 0.0;
@@ -315,6 +362,7 @@ void Contacts::save(ByteWriter& writer) const {
   writer.put(colliderTravel_);
   writer.put(stepsToRebuild_);
   writer.put(rebuilds_);
+  writer.put(searches_);
 }
 
 /// False where the bytes cannot have come from save() of such a network.
@@ -334,6 +382,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   reader.read(colliderTravel_);
   reader.read(stepsToRebuild_);
   reader.read(rebuilds_);
+  reader.read(searches_);
   pairsMayMeet_ = flags[0] != 0;
   hasColliders_ = flags[1] != 0;
   stale_ = flags[2] != 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/bytes.h"
+#include "sim/contact/fragment_boxes.h"
 #include "sim/contact/hash_grid.h"
 #include "sim/dynamics/methods/tangent.h"
 #include "sim/dynamics/settings.h"
@@ -41,7 +42,9 @@ struct MovingCollider {
 /// travelled its clearance.
 class Contacts {
  public:
-  Contacts(const Network& network, const ContactSettings& settings);
+  /// `boxesFirst`: nodes are compared only where boxes of fragments and colliders are near each other, which
+  /// finds the same.
+  Contacts(const Network& network, const ContactSettings& settings, bool boxesFirst = true);
 
   /// Everything forces depend on at one moment.
   struct Moment {
@@ -147,9 +150,13 @@ class Contacts {
   /// pairs not counted in it may touch.
   void noteChoice() { odometerAtChoice_ = odometer_; }
   bool choiceIsOld() const;
+  /// How far a node may go in a step, cm: further, and it could leap over what it should have touched.
+  double longestTravel() const;
 
   std::size_t pairCount() const { return entries_.size() / 2 + fresh_.size(); }
   std::uint64_t rebuilds() const { return rebuilds_; }
+  /// Rebuilds in which nodes were compared with each other.
+  std::uint64_t searches() const { return searches_; }
 
   void save(ByteWriter& writer) const;
   bool load(ByteReader& reader, std::size_t colliderCount);
@@ -201,9 +208,14 @@ class Contacts {
   const Entry* oldEntry(NodeIndex i, NodeIndex j) const;
   BrokenPair brokenPair(BondIndex bond, double restLength) const;
   void collectBroken(const Motion& motion, const Components& components, std::vector<Candidate>& pairs);
-  void collectContacts(const Motion& motion, const Components& components, const Breakage& breakage,
-                       std::vector<Candidate>& pairs);
-  std::vector<NearCollider> collectColliders(const Motion& motion,
+  std::vector<NodeIndex> nodesToCompare(const Motion& motion, const Components& components,
+                                        const FragmentBoxes& boxes) const;
+  void collectContacts(const Motion& motion, std::span<const NodeIndex> nodes, const Components& components,
+                       const Breakage& breakage, std::vector<Candidate>& pairs);
+  std::vector<std::uint8_t> fragmentsNear(const Collider& collider, const FragmentBoxes& boxes,
+                                          std::size_t fragmentCount) const;
+  std::vector<NearCollider> collectColliders(const Motion& motion, const Components& components,
+                                             const FragmentBoxes& boxes,
                                              std::span<const MovingCollider> colliders) const;
   void fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near);
   const BrokenPair* findBroken(BondIndex bond) const;
@@ -243,6 +255,7 @@ class Contacts {
 
   const Network* network_;
   ContactSettings settings_;
+  bool boxesFirst_;
   std::vector<float>
       nodeStiffness_;  ///< the weakest bond of each node: contact is never stiffer (P16), dyn/cm
   double largestNatural_ = 0.0;
@@ -271,6 +284,7 @@ class Contacts {
   double colliderTravel_ = 0.0;
   std::uint32_t stepsToRebuild_ = 0;  ///< counts down after births; 0: no rebuild is due
   std::uint64_t rebuilds_ = 0;
+  std::uint64_t searches_ = 0;
 };
 
 }  // namespace sim

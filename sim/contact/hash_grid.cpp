@@ -34,18 +34,20 @@ std::uint32_t HashGrid::findOrAdd(Place at, FragmentId tag) {
   return table_[slot];
 }
 
-void HashGrid::build(const NodeVectors& positions, std::span<const FragmentId> fragmentOfNode, double edge) {
-  const std::size_t count = positions.size();
+void HashGrid::build(const NodeVectors& positions, std::span<const NodeIndex> nodes,
+                     std::span<const FragmentId> fragmentOfNode, double edge) {
+  const std::size_t count = nodes.size();
   table_.assign(std::bit_ceil(2 * count + 1), kNone);
   cubes_.clear();
   cubeOfNode_.resize(count);
-  for (std::size_t node = 0; node < count; ++node) {
+  for (std::size_t n = 0; n < count; ++n) {
+    const NodeIndex node = nodes[n];
     const auto along = [&](std::size_t k) {
       return static_cast<std::uint64_t>(
           static_cast<std::int64_t>(std::floor(positions.axis(k)[node] / edge)));
     };
     const std::uint32_t cube = findOrAdd(placeOf(along(0), along(1), along(2)), fragmentOfNode[node]);
-    cubeOfNode_[node] = cube;
+    cubeOfNode_[n] = cube;
     ++cubes_[cube].last;
   }
   std::uint32_t first = 0;
@@ -55,8 +57,7 @@ void HashGrid::build(const NodeVectors& positions, std::span<const FragmentId> f
     first += size;
   }
   nodes_.resize(count);
-  for (std::size_t node = 0; node < count; ++node)
-    nodes_[cubes_[cubeOfNode_[node]].last++] = static_cast<NodeIndex>(node);
+  for (std::size_t n = 0; n < count; ++n) nodes_[cubes_[cubeOfNode_[n]].last++] = nodes[n];
 }
 
 std::size_t HashGrid::memoryBytes() const {

@@ -13,8 +13,9 @@ namespace sim {
 /// linear in nodes.
 class HashGrid {
  public:
-  /// Sorts the nodes into cubes of the given edge (cm). `fragmentOfNode` gives the tags.
-  void build(const NodeVectors& positions, std::span<const FragmentId> fragmentOfNode, double edge);
+  /// Sorts these nodes into cubes of the given edge (cm). `fragmentOfNode` gives the tags.
+  void build(const NodeVectors& positions, std::span<const NodeIndex> nodes,
+             std::span<const FragmentId> fragmentOfNode, double edge);
 
   /// Calls visit(i, j), i != j, once for each unordered pair of nodes in the same or touching cubes, unless
   /// both cubes hold one and the same fragment only and `withinFragments` is false.

@@ -33,7 +33,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       layout_(network_),
       breakage_(network_),
       components_(network_, layout_),
-      contacts_(network_, settings.contact),
+      contacts_(network_, settings.contact, settings.skip.contactSearch),
       controls_(network_, std::move(environment), std::move(tracks)),
       ledger_(network_),
       kernel_(stepBlocksFor(KernelKind::automatic)),
@@ -122,9 +122,18 @@ void Stepper::refreshContacts() {
   fragments_.placeBodies();
   contacts_.rebuild(now_, components_, breakage_, controls_.colliders());
   ++work_.neighbourLists;
+  work_.contactSearches = contacts_.searches();
   fragments_.noteNewRows(time());
   startKnown_ = false;
   chooseStep();
+}
+
+/// cm/s; zero where all is still.
+double Stepper::fastestNow() const {
+  double squared = 0.0;
+  for (NodeIndex node = 0; node < network_.nodeCount(); ++node)
+    squared = std::max(squared, now_.velocity.get(node).squaredNorm());
+  return std::max(std::sqrt(squared), fragments_.fastestBody());
 }
 
 void Stepper::chooseStep() {
@@ -139,7 +148,7 @@ void Stepper::chooseStep() {
   const double stable = stableStep(spectrum_, stiffening, settings_.method, settings_.safety);
   // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
   constexpr double kLongest = 1e-2;
-  const double wanted = std::min(stable, kLongest);
+  const double wanted = std::min({stable, kLongest, contacts_.longestTravel() / fastestNow()});
   if (wantedStep_ == 0.0 || wanted < wantedStep_ || wanted > kStepGrowth * wantedStep_) want(wanted);
 }
 

@@ -95,6 +95,7 @@ class Stepper {
   double carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const;
   Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;
   void chooseStep();
+  double fastestNow() const;
   /// Of the next step, s: of this very one for methods that can change it at any time.
   void want(double step);
   void setStep(double step);

@@ -5,10 +5,12 @@
 namespace sim {
 
 Breakage::Breakage(const Network& network)
-    : network_(&network),
-      bondBroken_(network.bondCount(), 0),
-      cellBroken_(network.cellCount(), 0),
-      firstCell_(network.nodeCount() + 1, 0) {
+    : network_(&network), bondBroken_(network.bondCount(), 0), cellBroken_(network.cellCount(), 0) {}
+
+void Breakage::listCells() {
+  if (!firstCell_.empty()) return;
+  const Network& network = *network_;
+  firstCell_.assign(network.nodeCount() + 1, 0);
   for (const CellCorners& corners : network.cells) {
     for (const NodeIndex corner : corners) ++firstCell_[corner + 1];
   }

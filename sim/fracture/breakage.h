@@ -26,6 +26,7 @@ class Breakage {
   template <class StrainOf>
   void breakBonds(std::span<const Overstretched> bonds, double time, StrainOf&& strainOf,
                   std::vector<BreakEvent>& events) {
+    listCells();
     for (const Overstretched& over : bonds) {
       if (bondBroken(over.bond)) continue;
       markBond(over.bond, kNone, over.strain, time, events);
@@ -50,6 +51,8 @@ class Breakage {
   std::size_t memoryBytes() const;
 
  private:
+  /// Not before something breaks: what never does needs no such lists.
+  void listCells();
   void markBond(BondIndex bond, CellIndex cause, float strain, double time, std::vector<BreakEvent>& events);
   /// The cells that contain both of its nodes, ascending.
   std::vector<CellIndex> cellsWith(BondIndex bond) const;

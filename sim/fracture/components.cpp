@@ -9,7 +9,7 @@
 namespace sim {
 
 Components::Components(const Network& network, const BondLayout& layout)
-    : fragmentOfNode_(network.nodeCount(), kNone), searchOfNode_(network.nodeCount(), kNone) {
+    : fragmentOfNode_(network.nodeCount(), kNone) {
   std::vector<NodeIndex> open;
   for (NodeIndex start = 0; start < network.nodeCount(); ++start) {
     if (fragmentOfNode_[start] != kNone) continue;
@@ -119,6 +119,7 @@ class Components::Search {
 
 bool Components::relabelOne(const BondLayout& layout, std::span<const NodeIndex> seeds, double time) {
   ++relabelings_;
+  searchOfNode_.resize(fragmentOfNode_.size(), kNone);
   const FragmentId parent = fragmentOfNode_[seeds.front()];
   Search search(layout, searchOfNode_, seeds);
   const auto pieces = search.cutOff();

@@ -46,7 +46,8 @@ class Components {
 
   std::vector<FragmentId> fragmentOfNode_;
   std::vector<FragmentBirth> births_;
-  std::vector<std::uint32_t> searchOfNode_;  ///< scratch of relabel: kNone between calls
+  std::vector<std::uint32_t>
+      searchOfNode_;  ///< scratch of relabel, made when first needed: kNone between calls
   std::uint64_t relabelings_ = 0;
 };
 
