@@ -34,8 +34,8 @@ sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>
     const sim::Work before = running.work();
     sim::Status status = sim::Done{};
     const double seconds = medianSeconds(kRepeats, [&] {
-      for (int step = 0; step < steps && status; ++step) status = running.stepOnce();
-    });
+                             for (int step = 0; step < steps && status; ++step) status = running.stepOnce();
+                           }).wall;
     if (!status) return status.problem();
     const double done = static_cast<double>(running.work().steps - before.steps);
     const double pairs = static_cast<double>(running.work().contactPairs - before.contactPairs) / done;

@@ -2,20 +2,36 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 namespace app {
+namespace {
 
-double medianSeconds(int repeats, const std::function<void()>& work) {
+Seconds now() {
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(),
+          static_cast<double>(std::clock()) / CLOCKS_PER_SEC};
+}
+
+double medianOf(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+}  // namespace
+
+Seconds medianSeconds(int repeats, const std::function<void()>& work) {
   work();
-  std::vector<double> seconds;
+  std::vector<double> wall;
+  std::vector<double> cpu;
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    const auto start = std::chrono::steady_clock::now();
+    const Seconds start = now();
     work();
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    const Seconds end = now();
+    wall.push_back(end.wall - start.wall);
+    cpu.push_back(end.cpu - start.cpu);
   }
-  std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
-  return seconds[seconds.size() / 2];
+  return {medianOf(wall), medianOf(cpu)};
 }
 
 }  // namespace app

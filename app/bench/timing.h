@@ -4,7 +4,13 @@
 
 namespace app {
 
+/// Seconds of a clock on the wall, and of the processor, all threads together.
+struct Seconds {
+  double wall = 0.0;
+  double cpu = 0.0;
+};
+
 /// Median of the seconds that `repeats` calls of `work` take, after one that does not count.
-double medianSeconds(int repeats, const std::function<void()>& work);
+Seconds medianSeconds(int repeats, const std::function<void()>& work);
 
 }  // namespace app
