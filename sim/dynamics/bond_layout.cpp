@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <tuple>
+#include <unordered_map>
+
+#include <xxhash.h>
 
 namespace sim {
 namespace {
@@ -138,7 +142,8 @@ class BondLayout::Builder {
     }
     slot.breakRatio = breakRatioOf(threshold);
     slot.tested = std::isfinite(threshold) && (gathered || slot.where > 0);
-    slot.constants = slot.varied ? addLanes(run) : constantsOf(network_.bondClasses[run.front().bond]);
+    slot.constants =
+        slot.varied ? addLanes(run, slot.plastic) : constantsOf(network_.bondClasses[run.front().bond]);
     if (gathered) slot.where = addGather(run, block);
     layout_.hasPlastic_ = layout_.hasPlastic_ || slot.plastic;
     layout_.slots_.push_back(slot);
@@ -154,7 +159,9 @@ class BondLayout::Builder {
     return place;
   }
 
-  std::uint32_t addLanes(std::span<const HalfBond> run) {
+  /// Where rows of a lattice end within blocks, the same mixture of constants comes again and again, and one
+  /// record serves them all. What flows must have its own.
+  std::uint32_t addLanes(std::span<const HalfBond> run, bool plastic) {
     SlotLanes lanes{};
     std::fill(std::begin(lanes.restLength), std::end(lanes.restLength), 1.0);
     for (const HalfBond& half : run) {
@@ -163,8 +170,14 @@ class BondLayout::Builder {
       lanes.restLength[half.lane] = bond.restLength;
       lanes.damping[half.lane] = bond.damping;
     }
+    const auto fresh = static_cast<std::uint32_t>(layout_.lanes_.size());
+    if (!plastic) {
+      const auto [entry, isNew] = placeOfLanes_.try_emplace(XXH3_64bits(&lanes, sizeof lanes), fresh);
+      if (!isNew && std::memcmp(&layout_.lanes_[entry->second], &lanes, sizeof lanes) == 0)
+        return entry->second;
+    }
     layout_.lanes_.push_back(lanes);
-    return static_cast<std::uint32_t>(layout_.lanes_.size() - 1);
+    return fresh;
   }
 
   /// Dead lanes name their own node: in range, and their force is masked away.
@@ -184,6 +197,7 @@ class BondLayout::Builder {
   BondLayout& layout_;
   LowerRows lower_;
   std::vector<std::uint32_t> placeOfClass_;  ///< in constants_, or kNone
+  std::unordered_map<XXH64_hash_t, std::uint32_t> placeOfLanes_;
   std::vector<HalfBond> halves_;
   std::vector<HalfBond> rest_;
 };
