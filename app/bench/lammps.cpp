@@ -50,7 +50,9 @@ void writeData(const sim::Network& network, std::ofstream file) {
     const char axis = "xyz"[k];
     file << low[k] - 1.0 << ' ' << high[k] + 1.0 << ' ' << axis << "lo " << axis << "hi\n";
   }
-  file << "\nMasses\n\n1 " << network.masses.front() << "\n\nAtoms\n\n";
+  // All as heavy as a node inside: with the mass of a corner, an eighth, the step would be unstable.
+  const double mass = *std::max_element(network.masses.begin(), network.masses.end());
+  file << "\nMasses\n\n1 " << mass << "\n\nAtoms\n\n";
   for (std::size_t n = 0; n < network.nodeCount(); ++n)
     file << n + 1 << " 1 1 " << network.positions[n].transpose() << '\n';
   file << "\nBonds\n\n";
