@@ -16,6 +16,7 @@ constexpr std::size_t slotOf(FragmentState state) {
 Activity::Activity(const Network& network, const Components& components) {
   const std::size_t blocks = (network.nodeCount() + kBlockNodes - 1) / kBlockNodes;
   awakeLanes_.assign(blocks, 0);
+  movedLanes_.assign(blocks, 0);
   stillLanes_.assign(blocks, 0);
   activeBlocks_.reserve(blocks);
   noteBirths(components);
@@ -40,12 +41,16 @@ void Activity::refresh(const Components& components) {
   ++version_;
   for (std::size_t block = 0; block < awakeLanes_.size(); ++block) {
     unsigned awake = 0;
+    unsigned moved = 0;
     const std::size_t first = block * kBlockNodes;
     const std::size_t lanes = std::min(kBlockNodes, fragmentOfNode.size() - first);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (deforms(fragmentOfNode[first + lane])) awake |= 1U << lane;
+      const FragmentState state = states_[fragmentOfNode[first + lane]];
+      if (state == FragmentState::deforming) awake |= 1U << lane;
+      if (state != FragmentState::asleep) moved |= 1U << lane;
     }
     awakeLanes_[block] = static_cast<std::uint16_t>(awake);
+    movedLanes_[block] = static_cast<std::uint16_t>(moved);
     stillLanes_[block] = static_cast<std::uint16_t>(~awake & ((1U << lanes) - 1U));
     if (awake != 0) activeBlocks_.push_back(static_cast<std::uint32_t>(block));
   }
@@ -72,7 +77,7 @@ void Activity::restore(std::vector<FragmentState> states, const Components& comp
 
 std::size_t Activity::memoryBytes() const {
   return states_.capacity() * sizeof(FragmentState) +
-         (awakeLanes_.capacity() + stillLanes_.capacity()) * sizeof(std::uint16_t) +
+         (awakeLanes_.capacity() + movedLanes_.capacity() + stillLanes_.capacity()) * sizeof(std::uint16_t) +
          (activeBlocks_.capacity() + firstNode_.capacity() + nodes_.capacity()) * sizeof(std::uint32_t);
 }
 

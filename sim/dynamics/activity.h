@@ -35,7 +35,9 @@ class Activity {
   std::uint64_t version() const { return version_; }
   /// Bit a lane, one number a block: the node deforms.
   std::span<const std::uint16_t> awakeLanes() const { return awakeLanes_; }
-  /// The same for nodes that do not.
+  /// The same for nodes that are moved by forces: those that do not sleep.
+  std::span<const std::uint16_t> movedLanes() const { return movedLanes_; }
+  /// The same for nodes that do not deform.
   std::span<const std::uint16_t> stillLanes() const { return stillLanes_; }
   /// Blocks with a node that deforms, ascending.
   std::span<const std::uint32_t> activeBlocks() const { return activeBlocks_; }
@@ -54,6 +56,7 @@ class Activity {
   std::vector<FragmentState> states_;
   std::array<std::size_t, kFragmentStates> counts_{};  ///< fragments in each state
   std::vector<std::uint16_t> awakeLanes_;
+  std::vector<std::uint16_t> movedLanes_;
   std::vector<std::uint16_t> stillLanes_;
   std::vector<std::uint32_t> activeBlocks_;
   std::vector<std::uint32_t> firstNode_;

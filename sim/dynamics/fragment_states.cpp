@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 namespace {
@@ -19,18 +20,26 @@ constexpr double kRestTime = 2.0;
 constexpr double kWake = 2.0;
 /// Neighbours lighter than this share do not wake a fragment by going away.
 constexpr double kLightShare = 0.05;
-/// Strain that is nothing to speak of: this share of the bond's threshold, and never more than can be seen.
+/// Strain that is nothing to speak of: this share of the bond's threshold, ...
 constexpr double kCalmStrainShare = 0.25;
+/// ... never more than can be seen in what is broken, ...
 constexpr double kCalmStrainMost = 1e-2;
-/// What never touched anything and never broke flies rigidly only if it is as good as undeformed: somebody
-/// may want to see it ring.
+/// ... less in what never broke and may be meant to wobble, ...
+constexpr double kWholeStrainMost = 5e-4;
+/// ... and what never touched anything either may be meant to ring: it must be as good as undeformed.
 constexpr double kUndeformed = 1e-9;
-/// Reviews for which a fragment must have touched nothing.
-constexpr std::uint32_t kFreeReviews = 2;
+/// Gentle is what nears slowly enough: 0.15 threshold times speed of sound, given kCalmStrainShare and the
+/// two thirds of the speed of sound that calmSpeed() finds.
+constexpr double kGentleShare = 0.9;
 /// After a look in vain the next one waits twice as long, up to so many reviews.
 constexpr std::uint32_t kLongestWait = 16;
 
 }  // namespace
+
+double FragmentStates::calmStrain(Past past) {
+  if (past == Past::broken) return kCalmStrainMost;
+  return past == Past::touched ? kWholeStrainMost : kUndeformed;
+}
 
 FragmentStates::FragmentStates(const World& world, const SkipSettings& skip)
     : world_(world), skip_(skip), activity_(world.network, world.components) {
@@ -63,7 +72,7 @@ void FragmentStates::noteBirths(double time) {
     record.stillSince = time;
     const FragmentId parent = world_.components.births()[fragment].parent;
     if (parent == kNone) continue;
-    record.disturbed = records_[parent].disturbed = 1;
+    record.past = records_[parent].past = Past::broken;
     record.skippable = records_[parent].skippable;
   }
 }
@@ -113,8 +122,12 @@ std::vector<FragmentStates::Sums> FragmentStates::sumFragments() {
       sum.spin = sum.inertia.completeOrthogonalDecomposition().solve(sum.angularMomentum);
   }
   for (const RigidBody& body : bodies_) {
-    sums[body.fragment()].kinetic = body.kineticEnergy();
-    sums[body.fragment()].momentum = body.mass() * body.velocity();
+    Sums& sum = sums[body.fragment()];
+    sum.kinetic = body.kineticEnergy();
+    sum.centre = body.centre();
+    sum.momentum = body.mass() * body.velocity();
+    sum.spin = body.angularVelocity();
+    sum.angularMomentum = body.angularMomentum();
   }
   double mass = 0.0;
   double energy = 0.0;
@@ -131,7 +144,7 @@ void FragmentStates::review(double time) {
   activity_.listNodes(world_.components);
   const std::vector<Sums> sums = sumFragments();
   noteNeighbours(sums);
-  noteTouches();
+  noteTouching();
   if (skip_.sleep) {
     wakeByContact(sums);
     fallAsleep(sums);
@@ -140,19 +153,6 @@ void FragmentStates::review(double time) {
   apply();
 }
 
-std::vector<std::uint8_t> FragmentStates::nearSomething() const {
-  std::vector<std::uint8_t> near(records_.size(), 0);
-  world_.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
-    const FragmentId a = world_.components.of(i);
-    const FragmentId b = world_.components.of(j);
-    if (a != b) near[a] = near[b] = 1;
-  });
-  world_.contacts.forEachNearCollider(
-      [&](NodeIndex node, std::uint32_t) { near[world_.components.of(node)] = 1; });
-  return near;
-}
-
-/// What is near anything has melted, so that `sums` know how both of a pair move.
 void FragmentStates::noteNeighbours(const std::vector<Sums>& sums) {
   neighboursBefore_.swap(neighbours_);
   neighbours_.clear();
@@ -178,21 +178,12 @@ void FragmentStates::noteNeighbours(const std::vector<Sums>& sums) {
   neighbours_.resize(kept);
 }
 
-void FragmentStates::noteTouches() {
-  const std::vector<std::uint8_t> near = nearSomething();
-  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
-    Record& record = records_[fragment];
-    record.freeReviews = near[fragment] != 0 ? 0 : record.freeReviews + 1;
-    if (near[fragment] != 0) record.disturbed = 1;
-  }
-}
-
 /// What is still for long enough sleeps, unless something nears it that could move it.
 void FragmentStates::fallAsleep(const std::vector<Sums>& sums) {
   const RestLimits limits = restLimits();
   std::vector<std::uint8_t> resting(records_.size(), 0);
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
-    if (!activity_.deforms(fragment)) continue;
+    if (activity_.stateOf(fragment) == FragmentState::asleep) continue;
     const Sums& sum = sums[fragment];
     const double most = limits.speed * limits.speed;
     const bool still =
@@ -274,52 +265,114 @@ void FragmentStates::noteColliders(double time) {
   apply();
 }
 
-/// What touches nothing and has no strain to speak of flies on as a rigid body.
+/// What has no strain to speak of goes on as a rigid body, unless something nears it too fast.
 void FragmentStates::freeze() {
+  for (RigidBody& body : bodies_) records_[body.fragment()].lastWait /= 2;
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
     Record& record = records_[fragment];
-    if (!activity_.deforms(fragment) || record.skippable == 0 || record.freeReviews < kFreeReviews) continue;
+    if (!activity_.deforms(fragment) || record.skippable == 0) continue;
     if (record.wait > 0) {
       --record.wait;
       continue;
     }
     RigidBody body(world_.network, fragment, activity_.nodesOf(fragment), world_.now);
-    if (isCalm(body, record.disturbed != 0)) {
+    body.setGentleSpeed(calmSpeed(body, record));
+    if (body.gentleSpeed() > 0.0) {
       makeRigid(std::move(body));
-      record.lastWait = 0;
     } else {
-      record.wait = record.lastWait = std::clamp(2 * record.lastWait, 1U, kLongestWait);
+      waitLonger(record);
     }
   }
+  noteTouching();
 }
 
-/// Strain and vibration (which is strain a quarter of a swing later) are next to nothing.
-bool FragmentStates::isCalm(const RigidBody& body, bool disturbed) const {
+void FragmentStates::waitLonger(Record& record) {
+  record.lastWait = static_cast<std::uint16_t>(std::clamp(2U * record.lastWait, 1U, kLongestWait));
+  record.wait = record.lastWait;
+}
+
+/// The speed at which what nears it is still gentle, cm/s; zero where its strain, or its vibration (which is
+/// strain a quarter of a swing later), is more than nothing to speak of.
+double FragmentStates::calmSpeed(const RigidBody& body, const Record& record) const {
+  const Network& network = world_.network;
   double stiffness = 0.0;
-  double least = disturbed ? kCalmStrainMost : kUndeformed;
+  double least = calmStrain(record.past);
   std::size_t bonds = 0;
   for (const NodeIndex node : body.nodes()) {
-    for (BondIndex bond = world_.network.firstBond[node]; bond < world_.network.firstBond[node + 1]; ++bond) {
+    for (BondIndex bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
       if (world_.breakage.bondBroken(bond)) continue;
-      const BondClass& constants = world_.network.bond(bond);
-      const Material& material = world_.network.materials[constants.material];
+      const BondClass& constants = network.bond(bond);
+      const Material& material = network.materials[constants.material];
       if (!std::isfinite(material.thresholdMean)) least = std::min(least, kUndeformed);
-      least = std::min(least, kCalmStrainShare * static_cast<double>(world_.network.thresholds[bond]));
+      least = std::min(least, kCalmStrainShare * static_cast<double>(network.thresholds[bond]));
       const double strain = std::abs(strainOf(bond));
-      if (strain > least || strain > material.yieldStrain) return false;
+      if (strain > least || strain > material.yieldStrain) return 0.0;
       stiffness += constants.stiffness * constants.restLength * constants.restLength;
       ++bonds;
     }
   }
-  if (bonds == 0) return true;
-  // Mean of k L^2 over mean mass: two thirds of the speed of sound, squared and less.
-  const double soundSquared =
-      stiffness / static_cast<double>(bonds) * static_cast<double>(body.nodes().size()) / body.mass();
-  const double fastest = least * least * soundSquared;
+  if (bonds == 0) return std::numeric_limits<double>::infinity();
+  // Mean of k L^2 over mean mass: two thirds of the speed of sound, or a little less.
+  const double sound = std::sqrt(stiffness / static_cast<double>(bonds) *
+                                 static_cast<double>(body.nodes().size()) / body.mass());
   for (std::size_t i = 0; i < body.nodes().size(); ++i) {
-    if (body.vibration(i, world_.now.velocity.get(body.nodes()[i])).squaredNorm() > fastest) return false;
+    if (body.vibration(i, world_.now.velocity.get(body.nodes()[i])).norm() > least * sound) return 0.0;
   }
-  return true;
+  return kGentleShare * least * sound;
+}
+
+/// Finds which nodes of rigid bodies may be pushed, and melts those bodies that are neared too fast.
+void FragmentStates::noteTouching() {
+  std::vector<std::vector<std::uint32_t>> touched(bodies_.size());
+  std::vector<std::uint8_t> struck(bodies_.size(), 0);
+  std::vector<std::uint32_t> bodyOf(records_.size(), kNone);
+  for (std::uint32_t b = 0; b < bodies_.size(); ++b) bodyOf[bodies_[b].fragment()] = b;
+  const auto velocityOf = [&](NodeIndex node) -> Vec3 {
+    const std::uint32_t b = bodyOf[world_.components.of(node)];
+    return b == kNone ? world_.now.velocity.get(node) : bodies_[b].velocityAt(world_.now.position.get(node));
+  };
+  const auto note = [&](NodeIndex node, const Vec3& towards, const Vec3& other) {
+    Record& record = records_[world_.components.of(node)];
+    if (record.past == Past::untouched) record.past = Past::touched;
+    const std::uint32_t b = bodyOf[world_.components.of(node)];
+    if (b == kNone) return;
+    const auto place = std::ranges::lower_bound(bodies_[b].nodes(), node) - bodies_[b].nodes().begin();
+    touched[b].push_back(static_cast<std::uint32_t>(place));
+    if ((velocityOf(node) - other).dot(towards) > bodies_[b].gentleSpeed()) struck[b] = 1;
+  };
+  placeBodies();
+  world_.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
+    const Vec3 towards = (world_.now.position.get(j) - world_.now.position.get(i)).normalized();
+    note(i, towards, velocityOf(j));
+    note(j, -towards, velocityOf(i));
+  });
+  world_.contacts.forEachNearCollider([&](NodeIndex node, std::uint32_t collider) {
+    const MovingCollider& moving = world_.controls.colliders()[collider];
+    const Vec3 here = world_.now.position.get(node);
+    note(node, -intrusion(moving.shape, here).normal, moving.velocityAt(here));
+  });
+  for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+    std::ranges::sort(touched[b]);
+    touched[b].erase(std::ranges::unique(touched[b]).begin(), touched[b].end());
+    standStill(bodies_[b]);
+    bodies_[b].setTouched(std::move(touched[b]));
+  }
+  std::uint32_t b = 0;
+  std::erase_if(bodies_, [&](const RigidBody& body) {
+    if (struck[b++] == 0) return false;
+    waitLonger(records_[body.fragment()]);
+    melt(body);
+    return true;
+  });
+  placeTouched();
+}
+
+/// Nodes that contacts no longer push stand in the lattice.
+void FragmentStates::standStill(const RigidBody& body) {
+  for (const std::uint32_t place : body.touched()) {
+    world_.now.velocity.set(body.nodes()[place], Vec3::Zero());
+    world_.next.velocity.set(body.nodes()[place], Vec3::Zero());
+  }
 }
 
 /// Takes a fragment's nodes out of the lattice: there they stand still.
@@ -363,6 +416,13 @@ std::uint64_t FragmentStates::wholeBonds(FragmentId fragment) const {
 
 void FragmentStates::putToSleep(FragmentId fragment, double kineticEnergy) {
   world_.ledger.addDissipated(kineticEnergy);
+  if (activity_.stateOf(fragment) == FragmentState::rigid) {
+    const auto body = std::ranges::find(bodies_, fragment, &RigidBody::fragment);
+    body->place(world_.now.position);
+    bodies_.erase(body);
+    // Its bonds are counted again in setState().
+    setState(fragment, FragmentState::deforming);
+  }
   hold(activity_.nodesOf(fragment));
   setState(fragment, FragmentState::asleep);
 }
@@ -389,20 +449,12 @@ void FragmentStates::melt(const RigidBody& body) {
   release(body.nodes());
   Record& record = records_[body.fragment()];
   record.stillSince = time_;
-  record.freeReviews = 0;
   setState(body.fragment(), FragmentState::deforming);
 }
 
 void FragmentStates::noteNewRows(double time) {
   time_ = time;
-  if (!bodies_.empty()) {
-    const std::vector<std::uint8_t> near = nearSomething();
-    std::erase_if(bodies_, [&](const RigidBody& body) {
-      if (near[body.fragment()] == 0) return false;
-      melt(body);
-      return true;
-    });
-  }
+  noteTouching();
   if (activity_.any(FragmentState::asleep)) {
     const std::vector<Sums> sums = sumFragments();
     noteNeighbours(sums);
@@ -418,13 +470,61 @@ void FragmentStates::meltEverything(double time) {
   apply();
 }
 
-void FragmentStates::moveBodies(double kick, double drift, bool byOldVelocity) {
-  const Vec3 change = kick * world_.controls.gravity();
+struct FragmentStates::Push {
+  Vec3 force = Vec3::Zero();   ///< dyn
+  Vec3 torque = Vec3::Zero();  ///< about the centre, dyn cm
+};
+
+FragmentStates::Push FragmentStates::pushOn(const RigidBody& body, const Contacts::Forces& forces) {
+  Push push;
+  for (const std::uint32_t place : body.touched()) {
+    const NodeIndex node = body.nodes()[place];
+    if (forces.touched[node / kBlockNodes] == 0) continue;
+    const Vec3 force = forces.total.get(node);
+    push.force += force;
+    push.torque += body.arm(place).cross(force);
+  }
+  return push;
+}
+
+/// As in the kernel: work against lossy forces is by the mean of the velocities before and after.
+double FragmentStates::takeForces(const RigidBody& body, double kick, const RigidBody::Rates& before,
+                                  const RigidBody::Rates& after, Contacts::Forces& forces) {
+  double dissipated = 0.0;
+  for (const std::uint32_t place : body.touched()) {
+    const NodeIndex node = body.nodes()[place];
+    if (forces.touched[node / kBlockNodes] == 0) continue;
+    const Vec3 arm = body.arm(place);
+    dissipated -= 0.5 * kick * forces.lossy.get(node).dot(before.at(arm) + after.at(arm));
+    forces.total.set(node, Vec3::Zero());
+    forces.lossy.set(node, Vec3::Zero());
+  }
+  return dissipated;
+}
+
+double FragmentStates::moveBodies(double kick, double drift, bool byOldVelocity, Contacts::Forces& forces) {
+  double dissipated = 0.0;
   for (RigidBody& body : bodies_) {
     const Vec3 old = body.velocity();
-    body.kick(change);
+    if (body.touched().empty()) {
+      body.kick(kick * world_.controls.gravity());
+    } else {
+      const Push push = pushOn(body, forces);
+      const RigidBody::Rates before = body.rates();
+      body.kick(kick * (world_.controls.gravity() + push.force / body.mass()), kick * push.torque);
+      dissipated += takeForces(body, kick, before, body.rates(), forces);
+    }
     body.drift(drift, byOldVelocity ? old : body.velocity());
   }
+  return dissipated;
+}
+
+bool FragmentStates::anyTouched() const {
+  return std::ranges::any_of(bodies_, [](const RigidBody& body) { return !body.touched().empty(); });
+}
+
+void FragmentStates::placeTouched() {
+  for (const RigidBody& body : bodies_) body.placeTouched(world_.now);
 }
 
 void FragmentStates::shiftVelocities(const Vec3& shift) {
@@ -441,8 +541,21 @@ void FragmentStates::placeBodies() {
   for (const RigidBody& body : bodies_) body.place(world_.now.position);
 }
 
-void FragmentStates::placeVelocities(NodeVectors& velocities, double kick) const {
-  for (const RigidBody& body : bodies_) body.placeVelocities(velocities, kick * world_.controls.gravity());
+std::vector<RigidBody::Rates> FragmentStates::ratesAfter(double kick, Contacts::Forces& forces,
+                                                         double& dissipated) const {
+  std::vector<RigidBody::Rates> rates;
+  rates.reserve(bodies_.size());
+  for (const RigidBody& body : bodies_) {
+    const Push push = pushOn(body, forces);
+    rates.push_back(
+        body.ratesAfter(kick * (world_.controls.gravity() + push.force / body.mass()), kick * push.torque));
+    dissipated += takeForces(body, kick, body.rates(), rates.back(), forces);
+  }
+  return rates;
+}
+
+void FragmentStates::placeVelocities(NodeVectors& velocities, std::span<const RigidBody::Rates> rates) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].placeVelocities(velocities, rates[b]);
 }
 
 double FragmentStates::stillElasticEnergy(KernelStep step) const {
@@ -505,6 +618,7 @@ void FragmentStates::restore(Saved saved) {
     bonds_[static_cast<std::size_t>(activity_.stateOf(fragment))] += records_[fragment].bonds;
     hold(activity_.nodesOf(fragment));
   }
+  placeTouched();
   stillElastic_.reset();
 }
 

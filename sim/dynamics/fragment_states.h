@@ -59,15 +59,23 @@ class FragmentStates {
   void wakeEverything(double time);
   void meltEverything(double time);
 
-  /// Carries the rigid bodies through a step: kicked by gravity for `kick`, moved for `drift` seconds.
-  void moveBodies(double kick, double drift, bool byOldVelocity);
+  /// Carries the rigid bodies through a step: kicked by gravity and contacts for `kick`, moved for `drift`
+  /// seconds. Takes what pushes their nodes out of the forces; returns the work against friction and contact
+  /// damping, erg.
+  double moveBodies(double kick, double drift, bool byOldVelocity, Contacts::Forces& forces);
+  /// Some rigid body may be pushed.
+  bool anyTouched() const;
+  /// Puts the nodes that contacts may push where they are. After every step, and when rows are new.
+  void placeTouched();
   void shiftVelocities(const Vec3& shift);
   /// No node of a rigid body is faster, cm/s.
   double fastestBody() const;
   /// Puts nodes of rigid bodies where they are; elsewhere they are where they were last put.
   void placeBodies();
-  /// Adds how they move to velocities in which they stand still; with gravity for `kick` seconds more.
-  void placeVelocities(NodeVectors& velocities, double kick) const;
+  /// How the rigid bodies move with gravity and contacts for `kick` seconds more. Takes their forces out, and
+  /// adds the work against friction and contact damping, erg.
+  std::vector<RigidBody::Rates> ratesAfter(double kick, Contacts::Forces& forces, double& dissipated) const;
+  void placeVelocities(NodeVectors& velocities, std::span<const RigidBody::Rates> rates) const;
 
   /// Whole bonds of fragments in that state.
   std::uint64_t bondsIn(FragmentState state) const { return bonds_[static_cast<std::size_t>(state)]; }
@@ -86,16 +94,16 @@ class FragmentStates {
   static constexpr std::uint64_t kStepsPerReview = 64;
 
  private:
-  /// What is remembered of a fragment.
+  /// What happened to a fragment so far, the last of these.
+  enum class Past : std::uint8_t { untouched, touched, broken };
+  /// What is remembered of a fragment. Nothing is padding: checkpoints hold the bytes.
   struct Record {
-    double stillSince = 0.0;        ///< s
-    std::uint64_t bonds = 0;        ///< whole ones, while it does not deform
-    std::uint32_t freeReviews = 0;  ///< since it touched anything
-    std::uint32_t wait = 0;         ///< reviews until it is looked at again
-    std::uint32_t lastWait = 0;
-    // Not bool, so that nothing is padding: checkpoints hold the bytes.
-    std::uint16_t skippable = 0;
-    std::uint16_t disturbed = 0;  ///< touched something once, or came of what broke
+    double stillSince = 0.0;  ///< s
+    std::uint64_t bonds = 0;  ///< whole ones, while it does not deform
+    std::uint32_t wait = 0;   ///< reviews until it is looked at again
+    std::uint16_t lastWait = 0;
+    std::uint8_t skippable = 0;
+    Past past = Past::untouched;
   };
   /// Two fragments that may touch.
   struct Neighbours {
@@ -131,15 +139,21 @@ class FragmentStates {
   RestLimits restLimits() const;
   std::vector<Sums> sumFragments();
   void noteNeighbours(const std::vector<Sums>& sums);
-  void noteTouches();
-  std::vector<std::uint8_t> nearSomething() const;
   void fallAsleep(const std::vector<Sums>& sums);
   bool flows(FragmentId fragment) const;
   void wakeByContact(const std::vector<Sums>& sums);
   void wakeLeftBehind(const std::vector<Sums>& sums);
   void wakeIfAsleep(FragmentId fragment);
   void freeze();
-  bool isCalm(const RigidBody& body, bool disturbed) const;
+  double calmSpeed(const RigidBody& body, const Record& record) const;
+  struct Push;
+  static Push pushOn(const RigidBody& body, const Contacts::Forces& forces);
+  static double takeForces(const RigidBody& body, double kick, const RigidBody::Rates& before,
+                           const RigidBody::Rates& after, Contacts::Forces& forces);
+  void noteTouching();
+  void standStill(const RigidBody& body);
+  static void waitLonger(Record& record);
+  static double calmStrain(Past past);
   double strainOf(BondIndex bond) const;
   std::uint64_t wholeBonds(FragmentId fragment) const;
   void hold(std::span<const NodeIndex> nodes);

@@ -52,12 +52,17 @@ RigidBody::RigidBody(const Network& network, FragmentId fragment, std::span<cons
     shape_.push_back(worldFromBody_.conjugate() * (motion.position.get(node) - centre_));
 }
 
-Vec3 RigidBody::angularVelocityAt(const Eigen::Quaterniond& worldFromBody) const {
-  return worldFromBody * inverseInertia_.cwiseProduct(worldFromBody.conjugate() * angularMomentum_);
+Vec3 RigidBody::angularVelocityAt(const Eigen::Quaterniond& worldFromBody,
+                                  const Vec3& angularMomentum) const {
+  return worldFromBody * inverseInertia_.cwiseProduct(worldFromBody.conjugate() * angularMomentum);
+}
+
+RigidBody::Rates RigidBody::ratesAfter(const Vec3& change, const Vec3& torqueImpulse) const {
+  return {velocity_ + change, angularVelocityAt(worldFromBody_, angularMomentum_ + torqueImpulse)};
 }
 
 Vec3 RigidBody::angularVelocity() const {
-  return angularVelocityAt(worldFromBody_);
+  return angularVelocityAt(worldFromBody_, angularMomentum_);
 }
 
 double RigidBody::fastest() const {
@@ -75,7 +80,7 @@ Vec3 RigidBody::vibration(std::size_t index, const Vec3& velocity) const {
 void RigidBody::drift(double step, const Vec3& velocity) {
   centre_ += step * velocity;
   const Eigen::Quaterniond midway = turned(worldFromBody_, angularVelocity(), 0.5 * step);
-  worldFromBody_ = turned(worldFromBody_, angularVelocityAt(midway), step);
+  worldFromBody_ = turned(worldFromBody_, angularVelocityAt(midway, angularMomentum_), step);
 }
 
 void RigidBody::place(NodeVectors& positions) const {
@@ -83,18 +88,28 @@ void RigidBody::place(NodeVectors& positions) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) positions.set(nodes_[i], centre_ + turn * shape_[i]);
 }
 
-void RigidBody::placeVelocities(NodeVectors& velocities, const Vec3& more) const {
+void RigidBody::placeVelocities(NodeVectors& velocities, const Rates& rates) const {
   const Eigen::Matrix3d turn = worldFromBody_.toRotationMatrix();
-  const Vec3 spin = angularVelocity();
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    velocities.set(nodes_[i], velocity_ + more + spin.cross(turn * shape_[i]));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) velocities.set(nodes_[i], rates.at(turn * shape_[i]));
+}
+
+void RigidBody::placeTouched(Motion& motion) const {
+  const Rates now = rates();
+  // The same arithmetic as in place(), so that it does not show which of the two was called last.
+  const Eigen::Matrix3d turn = worldFromBody_.toRotationMatrix();
+  for (const std::uint32_t place : touched_) {
+    const Vec3 at = turn * shape_[place];
+    motion.position.set(nodes_[place], centre_ + at);
+    motion.velocity.set(nodes_[place], now.at(at));
+  }
 }
 
 void RigidBody::save(ByteWriter& writer) const {
   writer.put(fragment_);
   writer.putVector(nodes_);
   writer.putVector(shape_);
-  for (const double value : {mass_, radius_}) writer.put(value);
+  writer.putVector(touched_);
+  for (const double value : {mass_, radius_, gentleSpeed_}) writer.put(value);
   for (const Vec3& vector : {inverseInertia_, centre_, velocity_, angularMomentum_}) writer.put(vector);
   for (const double value : worldFromBody_.coeffs()) writer.put(value);
 }
@@ -103,15 +118,19 @@ bool RigidBody::load(ByteReader& reader, std::size_t nodeCount) {
   reader.read(fragment_);
   reader.readVector(nodes_);
   reader.readVector(shape_);
-  for (double* value : {&mass_, &radius_}) reader.read(*value);
+  reader.readVector(touched_);
+  for (double* value : {&mass_, &radius_, &gentleSpeed_}) reader.read(*value);
   for (Vec3* vector : {&inverseInertia_, &centre_, &velocity_, &angularMomentum_}) reader.read(*vector);
   for (double& value : worldFromBody_.coeffs()) reader.read(value);
   const auto isNode = [&](NodeIndex node) { return node < nodeCount; };
-  return reader.ok() && shape_.size() == nodes_.size() && std::ranges::all_of(nodes_, isNode);
+  const auto isPlace = [&](std::uint32_t place) { return place < nodes_.size(); };
+  return reader.ok() && shape_.size() == nodes_.size() && std::ranges::all_of(nodes_, isNode) &&
+         std::ranges::all_of(touched_, isPlace);
 }
 
 std::size_t RigidBody::memoryBytes() const {
-  return sizeof(*this) + nodes_.capacity() * sizeof(NodeIndex) + shape_.capacity() * sizeof(Vec3);
+  return sizeof(*this) + nodes_.capacity() * sizeof(NodeIndex) + shape_.capacity() * sizeof(Vec3) +
+         touched_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace sim

@@ -78,7 +78,7 @@ Contacts::Moment Stepper::moment() const {
           controls_.materials(),
           kick(),
           0.0,
-          fragments_.activity().awakeLanes(),
+          fragments_.activity().movedLanes(),
           fragments_.activity().version()};
 }
 
@@ -210,10 +210,7 @@ bool Stepper::skipsFragments() const {
 
 /// Forces at the beginning of the step, and the move they make; afterwards next_ holds the state before.
 Result<double> Stepper::moveByLeapfrog() {
-  fragments_.moveBodies(kick(), step_, settings_.method == Method::forwardEuler);
-  double travel = fragments_.fastestBody() * step_;
-  if (fragments_.noneDeforms()) return travel;
-  if (contacts_.quiet()) {
+  if (contacts_.quiet() || (fragments_.noneDeforms() && !fragments_.anyTouched())) {
     Contacts::clear(forces_);
   } else {
     const Contacts::ColliderWork work = contacts_.computeForces(moment(), forces_);
@@ -221,6 +218,13 @@ Result<double> Stepper::moveByLeapfrog() {
     ledger_.addOutsideWork(work.outside);
     ledger_.addDissipated(work.dissipated);
     work_.contactPairs += contacts_.pairCount();
+  }
+  ledger_.addDissipated(
+      fragments_.moveBodies(kick(), step_, settings_.method == Method::forwardEuler, forces_));
+  double travel = fragments_.fastestBody() * step_;
+  if (fragments_.noneDeforms()) {
+    fragments_.placeTouched();
+    return travel;
   }
   ledger_.addOutsideWork(carryingWork(now_, forces_, kick()));
   KernelStep step = kernelStep(now_, next_);
@@ -232,6 +236,7 @@ Result<double> Stepper::moveByLeapfrog() {
   const Status healthy = readReports(travel);
   if (!healthy) return healthy.problem();
   std::swap(now_, next_);
+  fragments_.placeTouched();
   return travel;
 }
 
@@ -248,7 +253,7 @@ void Stepper::countWork() {
 }
 
 Status Stepper::stepInArena() {
-  const bool moving = !fragments_.noneDeforms();
+  const bool moving = !fragments_.noneDeforms() || fragments_.anyTouched();
   const Result<double> travel = oneStep_ ? moveByOneStep() : moveByLeapfrog();
   if (!travel) return travel.problem();
   countWork();

@@ -51,7 +51,9 @@ double Stepper::carryingWork(const Motion& at, const Contacts::Forces& forces, d
 Stepper::Present Stepper::presentBy(Contacts::Forces& forces) const {
   if (settings_.method != Method::velocityVerlet || lastStep_ == 0.0) {
     Present present{now_.velocity};
-    fragments_.placeVelocities(present.velocity, 0.0);
+    Contacts::Forces none;
+    none.touched.assign(layout_.blockCount(), 0);
+    fragments_.placeVelocities(present.velocity, fragments_.ratesAfter(0.0, none, present.dissipated));
     return present;
   }
   const double halfKick = 0.5 * lastStep_;
@@ -70,13 +72,16 @@ Stepper::Present Stepper::presentBy(Contacts::Forces& forces) const {
   }
   step.hasExternal = forces.touched.data();
   step.kick = halfKick;
+  // Before the kernel, which must not see the forces on rigid bodies.
+  double lost = 0.0;
+  const std::vector<RigidBody::Rates> rates = fragments_.ratesAfter(halfKick, forces, lost);
   runKernel(step, reports);
   const double share = halfKick / kick();
-  Present present{std::move(ahead.velocity), share * work.dissipated,
+  Present present{std::move(ahead.velocity), share * work.dissipated + lost,
                   share * work.outside + carryingWork(now_, forces, halfKick)};
   for (const std::uint32_t block : fragments_.activity().activeBlocks())
     present.dissipated += reports[block].dissipated;
-  fragments_.placeVelocities(present.velocity, halfKick);
+  fragments_.placeVelocities(present.velocity, rates);
   return present;
 }
 

@@ -171,7 +171,8 @@ TEST_CASE("the account of a moving collider closes") {
   checkSecondOrder(scene);
   const Account account = accountOf(scene, 1.0);
   CHECK(account.end.outsideWork > 0.5 * account.scale);
-  CHECK((account.end.dissipated > 0.0) == lossy);
+  // Setting out as a rigid body, it loses rounding.
+  CHECK((account.end.dissipated > 1e-12 * account.scale) == lossy);
 }
 
 TEST_CASE("the account of held nodes that move closes, through damping, breaking and contact") {
