@@ -11,11 +11,22 @@ namespace {
 /// about itself.
 constexpr double kNoExtent = 1e-12;
 
+/// Sine and cosine of half the angle by their series where the next term is below rounding: steps are small.
+constexpr double kSmallAngle = 1e-3;
+
 Eigen::Quaterniond turned(const Eigen::Quaterniond& from, const Vec3& angularVelocity, double step) {
   const Vec3 rotation = step * angularVelocity;
-  const double angle = rotation.norm();
-  if (!(angle > 0.0)) return from;
-  return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation / angle)) * from).normalized();
+  const double squared = rotation.squaredNorm();
+  if (!(squared > 0.0)) return from;
+  double real = 1.0 - squared / 8.0;
+  double share = 0.5 - squared / 48.0;
+  if (squared > kSmallAngle * kSmallAngle) {
+    const double angle = std::sqrt(squared);
+    real = std::cos(0.5 * angle);
+    share = std::sin(0.5 * angle) / angle;
+  }
+  const Vec3 imaginary = share * rotation;
+  return (Eigen::Quaterniond(real, imaginary.x(), imaginary.y(), imaginary.z()) * from).normalized();
 }
 
 }  // namespace
@@ -54,6 +65,7 @@ RigidBody::RigidBody(const Network& network, FragmentId fragment, std::span<cons
 
 Vec3 RigidBody::angularVelocityAt(const Eigen::Quaterniond& worldFromBody,
                                   const Vec3& angularMomentum) const {
+  if (!(radius_ > 0.0)) return Vec3::Zero();
   return worldFromBody * inverseInertia_.cwiseProduct(worldFromBody.conjugate() * angularMomentum);
 }
 
@@ -79,6 +91,7 @@ Vec3 RigidBody::vibration(std::size_t index, const Vec3& velocity) const {
 
 void RigidBody::drift(double step, const Vec3& velocity) {
   centre_ += step * velocity;
+  if (!(radius_ > 0.0)) return;
   const Eigen::Quaterniond midway = turned(worldFromBody_, angularVelocity(), 0.5 * step);
   worldFromBody_ = turned(worldFromBody_, angularVelocityAt(midway, angularMomentum_), step);
 }

@@ -14,6 +14,9 @@ constexpr std::uint64_t kStepsPerLedger = 64;
 constexpr std::size_t kBlockGrain = 32;
 /// An automatic step grows only when it may by this much: every change costs Verlet its symmetry in time.
 constexpr double kStepGrowth = 1.1;
+/// Where no bond is evaluated, the step may be twice as long, but no longer: when a piece melts, the strain
+/// it kept acts for half a step of before.
+constexpr double kStillLattice = 0.25;
 /// Frames are due when the time is within this share of a step.
 constexpr double kTimeSlack = 1e-6;
 
@@ -138,18 +141,26 @@ double Stepper::fastestNow() const {
 
 void Stepper::chooseStep() {
   contacts_.noteChoice();
+  latticeCounts_ = latticeMoves();
   if (settings_.step) {
     want(*settings_.step);
     return;
   }
   const Contacts::Stiffest stiffest = contacts_.stiffest(moment());
-  const Stiffening stiffening{controls_.largestStiffnessScale(), controls_.largestDampingScale(),
-                              stiffest.rateSquared, stiffest.damping};
+  const double lattice = (latticeCounts_ ? 1.0 : kStillLattice) * controls_.largestStiffnessScale();
+  const Stiffening stiffening{lattice, controls_.largestDampingScale(), stiffest.rateSquared,
+                              stiffest.damping};
   const double stable = stableStep(spectrum_, stiffening, settings_.method, settings_.safety);
   // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
   constexpr double kLongest = 1e-2;
   const double wanted = std::min({stable, kLongest, contacts_.longestTravel() / fastestNow()});
   if (wantedStep_ == 0.0 || wanted < wantedStep_ || wanted > kStepGrowth * wantedStep_) want(wanted);
+}
+
+/// Some bond is evaluated.
+bool Stepper::latticeMoves() const {
+  return network_.bondCount() > breakage_.brokenBondCount() + fragments_.bondsIn(FragmentState::rigid) +
+                                    fragments_.bondsIn(FragmentState::asleep);
 }
 
 void Stepper::want(double step) {
@@ -266,6 +277,7 @@ Status Stepper::stepInArena() {
   refreshContacts();
   if (moving && skipsFragments() && work_.steps % FragmentStates::kStepsPerReview == 0)
     fragments_.review(time());
+  if (latticeMoves() != latticeCounts_) chooseStep();
   return moving && work_.steps % kStepsPerLedger == 0 ? watchEnergy() : Status(Done{});
 }
 

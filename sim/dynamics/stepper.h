@@ -95,6 +95,7 @@ class Stepper {
   double carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const;
   Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;
   void chooseStep();
+  bool latticeMoves() const;
   double fastestNow() const;
   /// Of the next step, s: of this very one for methods that can change it at any time.
   void want(double step);
@@ -148,6 +149,7 @@ class Stepper {
   double wantedStep_ =
       0.0;                 ///< s: the next step, unless a break cuts it short; of the leapfrog family, step_
   double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
+  bool latticeCounts_ = true;                       ///< in the choice of the step
   double controlsTime_ = 0.0;                       ///< s: when the tracks were last applied
   std::optional<tbb::global_control> moreThreads_;  ///< TBB would not give more than the processor has
   mutable tbb::task_arena arena_;

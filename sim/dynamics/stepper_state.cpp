@@ -170,6 +170,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   breakage_.restore(std::move(brokenBonds), std::move(brokenCells));
   components_.restore(std::move(fragmentOfNode), std::move(fragments), work_.labelings);
   fragments_.restore(std::move(states));
+  latticeCounts_ = latticeMoves();
   controls_.moveTo(controlsTime_);
   controls_.setFlow(network_, step_);
   events_.clear();
