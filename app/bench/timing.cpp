@@ -34,4 +34,10 @@ Seconds medianSeconds(int repeats, const std::function<void()>& work) {
   return {medianOf(wall), medianOf(cpu)};
 }
 
+double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 }  // namespace app

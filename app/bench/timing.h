@@ -13,4 +13,7 @@ struct Seconds {
 /// Median of the seconds that `repeats` calls of `work` take, after one that does not count.
 Seconds medianSeconds(int repeats, const std::function<void()>& work);
 
+/// Seconds this thread has computed so far: what others do on the machine does not count.
+double threadSeconds();
+
 }  // namespace app

@@ -2,6 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/bench/accuracy.h"
+#include "app/bench/document.h"
+#include "app/bench/stability.h"
 #include "app/bench/throughput.h"
 
 namespace app {
@@ -21,6 +24,39 @@ void addOptions(CLI::App& command, const std::shared_ptr<BenchOptions>& options)
   command.add_option("--out", options->out, "Folder for the results as JSON");
   command.add_option("--threads", options->threads, "Threads to measure with; may be repeated")
       ->check(CLI::Range(1, 256));
+}
+
+void addAccuracy(CLI::App& bench, ExitStatus& status) {
+  CLI::App* command = bench.add_subcommand("accuracy", "CPU time against error, every method");
+  const auto options = std::make_shared<AccuracyOptions>();
+  command->add_option("--out", options->folder, "Folder for accuracy.json");
+  command->add_option("--plots", options->plots, "Folder for the plots");
+  command->add_option("--scene", options->scenes, "Only this scene; may be repeated");
+  command->add_flag("--quick", options->quick, "Small scenes and few steps");
+  command->callback([options, &status] {
+    if (const auto done = benchAccuracy(*options); !done) status = complain(done.problem());
+  });
+}
+
+void addStability(CLI::App& bench, ExitStatus& status) {
+  CLI::App* command = bench.add_subcommand("stability", "What could make a run unstable, to its extremes");
+  const auto options = std::make_shared<BenchOptions>();
+  command->add_option("--out", options->out, "Folder for stability.json");
+  command->add_flag("--quick", options->quick, "Only the extremes, and small");
+  command->callback([options, &status] {
+    if (const auto done = benchStability(options->quick, options->folder()); !done)
+      status = complain(done.problem());
+  });
+}
+
+void addAll(CLI::App& bench, ExitStatus& status) {
+  CLI::App* command = bench.add_subcommand("all", "Every benchmark, written into benchmarks.md");
+  const auto options = std::make_shared<DocumentOptions>();
+  command->add_option("--docs", options->docs, "Folder of benchmarks.md; results and plots go into plots/");
+  command->add_flag("--reuse", options->reuse, "Write anew from the results there; measure nothing");
+  command->callback([options, &status] {
+    if (const auto done = benchAll(*options); !done) status = complain(done.problem());
+  });
 }
 
 }  // namespace
@@ -50,6 +86,9 @@ void addBenchCommand(CLI::App& program, ExitStatus& status) {
     if (const auto done = benchSkip(threads, options->quick, options->folder()); !done)
       status = complain(done.problem());
   });
+  addAccuracy(*bench, status);
+  addStability(*bench, status);
+  addAll(*bench, status);
 }
 
 }  // namespace app

@@ -1,0 +1,137 @@
+#include "app/bench/document.h"
+
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "app/bench/accuracy.h"
+#include "app/bench/accuracy_rows.h"
+#include "app/bench/stability.h"
+#include "app/bench/throughput.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The processor's own name, as Linux tells it.
+std::string processorName() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+std::string machine() {
+  std::ostringstream text;
+  text << processorName() << ", " << std::thread::hardware_concurrency()
+#ifdef __clang__
+       << " cores, Clang " << __clang_major__ << ".\n";
+#else
+       << " cores, g++ " << __GNUC__ << '.' << __GNUC_MINOR__ << ".\n";
+#endif
+  return text.str();
+}
+
+std::string cellText(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_null()) return "-";
+  if (!value.is_number_float()) return value.dump();
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.4g", value.get<double>());
+  return digits.data();
+}
+
+/// Rows of plain values with their keys as headings.
+std::string plainTable(const Json& rows) {
+  if (rows.empty() || !rows.front().is_object()) return "";
+  std::string head = "|", rule = "|", body;
+  for (const auto& [key, value] : rows.front().items()) {
+    std::string heading = key;
+    std::replace(heading.begin(), heading.end(), '_', ' ');
+    head += ' ' + heading + " |";
+    rule += " --- |";
+  }
+  for (const Json& row : rows) {
+    body += '|';
+    for (const auto& [key, value] : row.items()) body += ' ' + cellText(value) + " |";
+    body += '\n';
+  }
+  return head + '\n' + rule + '\n' + body;
+}
+
+std::string accuracySection(const Json& json) {
+  std::vector<AccuracyRow> rows;
+  for (const Json& row : json) rows.push_back(accuracyRow(row));
+  std::string section = accuracyTables(rows);
+  for (const auto& [name, sheet] : accuracyPlots(rows))
+    section += "\n![" + sheet.title + ": CPU time against error](plots/accuracy-" + name + ".png)\n";
+  return section;
+}
+
+struct Section {
+  const char* name;
+  std::string (*write)(const Json& rows);
+};
+constexpr std::array<Section, 5> kSections = {{{"throughput", plainTable},
+                                               {"scaling", plainTable},
+                                               {"accuracy", accuracySection},
+                                               {"stability", stabilityTable},
+                                               {"skip", plainTable}}};
+
+sim::Status measureAll(const DocumentOptions& options, const std::filesystem::path& folder) {
+  if (const auto done = benchThroughput(options.threads, folder); !done) return done;
+  if (const auto done = benchScaling(1, folder); !done) return done;
+  if (const auto done = benchAccuracy({.scenes = {}, .folder = folder, .plots = folder}); !done) return done;
+  if (const auto done = benchStability(false, folder); !done) return done;
+  return benchSkip(1, false, folder);
+}
+
+sim::Result<Json> resultsOf(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  Json rows = Json::parse(in, nullptr, false);
+  if (!rows.is_array())
+    return sim::Problem{file.string(), "there are no results here", "run `bench all` without --reuse"};
+  return rows;
+}
+
+}  // namespace
+
+std::string withSection(std::string text, const std::string& name, const std::string& section) {
+  const std::string begin = "<!-- begin " + name + " -->\n";
+  const auto first = text.find(begin);
+  const auto last = text.find("<!-- end " + name + " -->");
+  if (first == std::string::npos || last == std::string::npos || last < first) return text;
+  const auto from = first + begin.size();
+  return text.replace(from, last - from, section);
+}
+
+sim::Status benchAll(const DocumentOptions& options) {
+  const auto folder = options.docs / "plots";
+  const auto page = options.docs / "benchmarks.md";
+  std::ifstream in(page);
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  if (text.empty())
+    return sim::Problem{page.string(), "there is no such page", "name the folder with --docs"};
+  if (!options.reuse) {
+    if (const auto done = measureAll(options, folder); !done) return done;
+    text = withSection(std::move(text), "machine", machine());
+  }
+  for (const Section& section : kSections) {
+    if (text.find(std::string("<!-- begin ") + section.name + " -->") == std::string::npos) continue;
+    const auto rows = resultsOf(folder / (std::string(section.name) + ".json"));
+    if (!rows) return rows.problem();
+    text = withSection(std::move(text), section.name, section.write(*rows));
+  }
+  std::ofstream out(page);
+  out << text;
+  out.close();
+  if (!out)
+    return sim::Problem{page.string(), "the page cannot be written", "choose another folder with --docs"};
+  return sim::Done{};
+}
+
+}  // namespace app
