@@ -1,5 +1,6 @@
 #include "app/bench/document.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -122,6 +123,7 @@ sim::Status benchAll(const DocumentOptions& options) {
   }
   for (const Section& section : kSections) {
     if (text.find(std::string("<!-- begin ") + section.name + " -->") == std::string::npos) continue;
+    if (options.reuse && !std::filesystem::exists(folder / (std::string(section.name) + ".json"))) continue;
     const auto rows = resultsOf(folder / (std::string(section.name) + ".json"));
     if (!rows) return rows.problem();
     text = withSection(std::move(text), section.name, section.write(*rows));

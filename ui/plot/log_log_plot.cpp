@@ -150,17 +150,23 @@ class Panel {
     const int first = static_cast<int>(std::ceil(std::log10(range.low)));
     const int last = static_cast<int>(std::floor(std::log10(range.high)));
     const int every = std::max(1, (last - first + 5) / 6);
-    for (int power = first; power <= last; power += every) {
-      const double value = std::pow(10.0, power);
-      const bool level = orientation == Qt::Horizontal;
-      const QPointF at = level ? place({value, y_.low}) : place({x_.low, value});
-      const QRectF area = chart_->plotArea().translated(corner_);
-      addLine(level ? QLineF(at, QPointF(at.x(), area.top())) : QLineF(at, QPointF(area.right(), at.y())),
-              kGrid);
-      auto* text = addText(tickText(value), font(11.5), kQuiet, at);
-      const QSizeF size = text->boundingRect().size();
-      text->moveBy(level ? -0.5 * size.width() : -size.width() - 8.0, level ? 6.0 : -0.5 * size.height());
+    for (int power = first; power <= last; power += every) addTick(orientation, std::pow(10.0, power));
+    // Short of two decades, powers of ten alone would be a scale of one or two numbers.
+    if (last - first >= 2) return;
+    for (int power = first - 1; power <= last; ++power) {
+      for (const double value : {2.0 * std::pow(10.0, power), 5.0 * std::pow(10.0, power)})
+        if (value > range.low && value < range.high) addTick(orientation, value);
     }
+  }
+  void addTick(Qt::Orientation orientation, double value) {
+    const bool level = orientation == Qt::Horizontal;
+    const QPointF at = level ? place({value, y_.low}) : place({x_.low, value});
+    const QRectF area = chart_->plotArea().translated(corner_);
+    addLine(level ? QLineF(at, QPointF(at.x(), area.top())) : QLineF(at, QPointF(area.right(), at.y())),
+            kGrid);
+    auto* text = addText(tickText(value), font(11.5), kQuiet, at);
+    const QSizeF size = text->boundingRect().size();
+    text->moveBy(level ? -0.5 * size.width() : -size.width() - 8.0, level ? 6.0 : -0.5 * size.height());
   }
   void addTitles() {
     addText(QString::fromStdString(plot_.title), font(14, QFont::DemiBold), kInk,
@@ -181,7 +187,11 @@ class Panel {
       lines.push_back(std::move(line));
     }
     QList<QLineF> obstacles;
-    if (plot_.goal) obstacles.push_back({place({x_.low, *plot_.goal}), place({x_.high, *plot_.goal})});
+    if (plot_.goal) {
+      obstacles.push_back({place({x_.low, *plot_.goal}), place({x_.high, *plot_.goal})});
+      const QPointF name = place({x_.low, *plot_.goal}) + QPointF(0.0, -9.0);
+      obstacles.push_back({name, name + QPointF(34.0, 0.0)});
+    }
     const auto places =
         placeLabels(lines, obstacles, chart_->plotArea().translated(corner_).adjusted(3, 3, -3, -3));
     for (std::size_t i = 0; i < places.size(); ++i) {
