@@ -121,6 +121,30 @@ TEST_CASE("a rigid body in flight keeps momentum and angular momentum") {
   CHECK((motion.position.get(7) - motion.position.get(0)).norm() == Approx(length).epsilon(1e-12));
 }
 
+TEST_CASE("rigid pieces of a crash push each other by equal forces") {
+  tests::Block block = cube(0.0);
+  block.nx = block.ny = block.nz = 4;
+  block.youngsModulus = 1e8;
+  block.dampingTime = 5e-5;
+  block.material.thresholdMean = 0.02;
+  block.material.thresholdSpread = 0.2;
+  sim::Settings settings = withSkips(true);
+  // Friction between the centres of two nodes has a torque.
+  settings.contact.friction = 0.0;
+  const auto run = tests::simulation(tests::twoBlocks(block, 1.5, 1500.0), settings, tests::weightless());
+  const sim::LedgerRow before = run->snapshot().ledger;
+  const double scale = 0.5 * run->network().masses[0] * 8.0 * 125.0 * 1500.0;  // g cm/s
+  tests::run(*run, 0.05);
+  const sim::Snapshot after = run->snapshot();
+  REQUIRE(run->brokenBondCount() > 100);
+  REQUIRE(run->work().bondsRigid > 0);
+  REQUIRE(fragmentsThat(*run, FragmentState::rigid) > 2);
+  // Rounding of 10,000 steps; the torques of a pair are about the centres of two bodies, not about one point.
+  CHECK((after.ledger.linearMomentum - before.linearMomentum).norm() < 1e-10 * scale);
+  CHECK((after.ledger.angularMomentum - before.angularMomentum).norm() < 1e-6 * scale * 10.0);
+  CHECK(run->maxRise() < 0.005);
+}
+
 TEST_CASE("what rests sleeps where it lies, and costs nothing") {
   const auto skipping = tests::simulation(tests::block(cube(0.5)), withSkips(true), dampedFloor());
   const auto full = tests::simulation(tests::block(cube(0.5)), withSkips(false), dampedFloor());
