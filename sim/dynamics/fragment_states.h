@@ -147,9 +147,10 @@ class FragmentStates {
   void freeze();
   double calmSpeed(const RigidBody& body, const Record& record) const;
   struct Push;
-  static Push pushOn(const RigidBody& body, const Contacts::Forces& forces);
-  static double takeForces(const RigidBody& body, double kick, const RigidBody::Rates& before,
-                           const RigidBody::Rates& after, Contacts::Forces& forces);
+  static void findPush(const RigidBody& body, const Contacts::Forces& forces, Push& push);
+  static double takeForces(const RigidBody& body, const Push& push, double kick,
+                           const RigidBody::Rates& before, const RigidBody::Rates& after,
+                           Contacts::Forces& forces);
   void noteTouching();
   void standStill(const RigidBody& body);
   static void waitLonger(Record& record);

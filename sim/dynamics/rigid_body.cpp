@@ -7,9 +7,9 @@
 namespace sim {
 namespace {
 
-/// Moments of inertia below this share of the largest belong to a straight row of nodes, which cannot spin
-/// about itself.
-constexpr double kNoExtent = 1e-12;
+/// Moments of inertia below this share of the largest belong to an almost straight row of nodes. Contacts
+/// push at the nodes, so what would spin it about itself is little more than rounding.
+constexpr double kNoExtent = 1e-6;
 
 /// Sine and cosine of half the angle by their series where the next term is below rounding: steps are small.
 constexpr double kSmallAngle = 1e-3;
@@ -42,6 +42,13 @@ RigidBody::RigidBody(const Network& network, FragmentId fragment, std::span<cons
   }
   centre_ /= mass_;
   velocity_ /= mass_;
+  if (nodes_.size() == 1) {
+    // Without the rounding of the mean, which would be an extent, and spin.
+    centre_ = motion.position.get(nodes_[0]);
+    velocity_ = motion.velocity.get(nodes_[0]);
+    shape_.assign(1, Vec3::Zero());
+    return;
+  }
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for (const NodeIndex node : nodes_) {
     const double mass = network.masses[node];
