@@ -11,13 +11,17 @@ struct Shorthand {
   const char* option;
   const char* path;
   std::string SceneOptions::*value;
+  const char* before = "";  ///< of the value, to make JSON of it
+  const char* after = "";
 };
 
-constexpr std::array<Shorthand, 5> kShorthands{{{"--until", "output.duration", &SceneOptions::until},
-                                                {"--fps", "output.fps", &SceneOptions::fps},
-                                                {"--seed", "solver.seed", &SceneOptions::seed},
-                                                {"--method", "solver.method", &SceneOptions::method},
-                                                {"--step", "solver.step", &SceneOptions::step}}};
+constexpr std::array<Shorthand, 6> kShorthands{
+    {{"--until", "output.duration", &SceneOptions::until},
+     {"--fps", "output.fps", &SceneOptions::fps},
+     {"--seed", "solver.seed", &SceneOptions::seed},
+     {"--method", "solver.method", &SceneOptions::method},
+     {"--step", "solver.step", &SceneOptions::step},
+     {"--tolerance", "solver.step", &SceneOptions::tolerance, R"({"tolerance":)", "}"}}};
 
 std::string methods() {
   std::string text;
@@ -33,7 +37,9 @@ void SceneOptions::addTo(CLI::App& command) {
   command.add_option("--fps", fps, "Frames a second, in place of output.fps");
   command.add_option("--seed", seed, "Of the random thresholds");
   command.add_option("--method", method, "One of " + methods());
-  command.add_option("--step", step, "Seconds, or auto");
+  CLI::Option* fixed = command.add_option("--step", step, "Seconds, or auto");
+  command.add_option("--tolerance", tolerance, "Error of strain a shortest swing that the step keeps to")
+      ->excludes(fixed);
   command
       .add_option("--set", settings,
                   "PATH=VALUE: change a value of the scene, e.g. environment.gravity=[0,0,-4905]")
@@ -44,7 +50,8 @@ sim::Result<modeling::SceneFile> SceneOptions::load() const {
   std::vector<std::string> all = settings;
   for (const Shorthand& shorthand : kShorthands) {
     const std::string& value = this->*shorthand.value;
-    if (!value.empty()) all.push_back(std::string(shorthand.path) + "=" + value);
+    if (!value.empty())
+      all.push_back(std::string(shorthand.path) + "=" + shorthand.before + value + shorthand.after);
   }
   sim::Result<modeling::SceneFile> file = modeling::loadScene(scene, all);
   if (file) return file;

@@ -20,6 +20,7 @@ struct SceneOptions {
   std::string seed;
   std::string method;
   std::string step;
+  std::string tolerance;
 
   void addTo(CLI::App& command);
   /// The scene with everything laid over it. A Problem in an option's value names the option.

@@ -167,6 +167,7 @@ sim::Settings settingsOf(const Solver& solver) {
   sim::Settings settings;
   settings.method = solver.method;
   settings.step = solver.step.seconds;
+  settings.tolerance = solver.step.tolerance;
   settings.safety = solver.safety;
   settings.seed = solver.seed;
   settings.skip = solver.skip;

@@ -197,7 +197,8 @@ struct Contact {
 };
 
 struct Step {
-  std::optional<double> seconds;  ///< > 0; absent, written "auto": automatic and stable
+  std::optional<double> seconds;    ///< > 0; absent, written "auto": automatic and stable
+  std::optional<double> tolerance;  ///< of strain: the automatic step, shortened to keep to it
 
   bool operator==(const Step&) const = default;
 };

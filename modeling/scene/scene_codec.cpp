@@ -8,6 +8,8 @@
 namespace modeling {
 namespace {
 
+constexpr Rule kTolerance{"tolerance", "Error of strain a shortest swing.", true, {0.0, 1.0, true}, false};
+
 /// Either of two forms, told apart by whether the value is a list.
 Json eitherSchema(const Json& one, const Json& other) {
   return {{"anyOf", {one, other}}};
@@ -66,17 +68,27 @@ Json Codec<Scale>::schema(const Rule& rule) {
 }
 
 bool Codec<Step>::read(JsonReader& reader, const JsonValue& value, Step& out, const Rule& rule) {
-  if (value.text() == nullptr) return Codec<std::optional<double>>::read(reader, value, out.seconds, rule);
-  out.seconds.reset();
+  out = {};
+  if (value.object() != nullptr) {
+    if (!reader.checkObject(value, rule, {"tolerance"})) return false;
+    const JsonValue* tolerance = value.find("tolerance");
+    return tolerance != nullptr ? reader.readNumber(*tolerance, out.tolerance.emplace(), kTolerance)
+                                : reader.failMissing(value, "tolerance");
+  }
+  if (value.text() == nullptr) return reader.readNumber(value, out.seconds.emplace(), rule);
   return *value.text() == "auto" || reader.failChoice(value, rule, {"auto"});
 }
 
 Json Codec<Step>::write(const Step& value, const Step&, const Rule&) {
+  if (value.tolerance) return {{"tolerance", *value.tolerance}};
   return value.seconds ? Json(*value.seconds) : Json("auto");
 }
 
 Json Codec<Step>::schema(const Rule& rule) {
-  return eitherSchema({{"const", "auto"}}, numberSchema("number", rule));
+  Json tolerant = objectSchema();
+  tolerant["properties"]["tolerance"] = numberSchema("number", kTolerance);
+  tolerant["required"] = {"tolerance"};
+  return {{"anyOf", {{{"const", "auto"}}, numberSchema("number", rule), tolerant}}};
 }
 
 bool Codec<TargetName>::read(JsonReader& reader, const JsonValue& value, TargetName& out, const Rule& rule) {

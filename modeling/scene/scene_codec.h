@@ -28,7 +28,7 @@ struct Codec<Scale> {
   static Json schema(const Rule& rule);
 };
 
-/// "auto" or seconds.
+/// "auto", seconds, or {"tolerance": number}.
 template <>
 struct Codec<Step> {
   static bool read(JsonReader& reader, const JsonValue& value, Step& out, const Rule& rule);

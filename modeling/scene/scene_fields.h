@@ -292,7 +292,7 @@ struct Fields<Solver> {
   static constexpr auto list() {
     using T = Solver;
     return std::tuple{field("method", &T::method, "How the equations of motion are stepped."),
-                      field("step", &T::step, "Seconds, or auto.").above(0),
+                      field("step", &T::step, "Seconds, auto, or a tolerance of strain.").above(0),
                       field("safety", &T::safety, "Share of the largest stable step.").above(0).atMost(0.9),
                       field("contact", &T::contact, "Between nodes."),
                       field("skip", &T::skip, "What may be left out where a scene does not need it."),

@@ -61,7 +61,10 @@ struct SkipSettings {
 struct Settings {
   Method method = Method::velocityVerlet;
   std::optional<double> step;  ///< s; absent: automatic and stable (docs/numerics.md)
-  double safety = 0.5;         ///< s of dt = s (2/omega)...; at most 0.9
+  /// Of strain, relative to the largest there was, rms over bonds, a shortest swing: then the automatic step
+  /// is shortened to keep to it. Not for the paper's methods of Euler, and not with `step`.
+  std::optional<double> tolerance;
+  double safety = 0.5;  ///< s of dt = s (2/omega)...; at most 0.9
   ContactSettings contact;
   SkipSettings skip;
   std::uint64_t seed = 1;  ///< of the thresholds

@@ -40,6 +40,20 @@ std::optional<Problem> checkTrack(const Track& track, const std::string& place, 
   return std::nullopt;
 }
 
+std::optional<Problem> checkTolerance(const Settings& settings) {
+  if (!settings.tolerance) return std::nullopt;
+  if (!(*settings.tolerance > 0.0 && *settings.tolerance <= 1.0))
+    return Problem{"solver.step", "the tolerance is not between 0 and 1", "0.001 is a good one"};
+  if (settings.step)
+    return Problem{"solver.step", "there is a tolerance beside a fixed step", "give one of the two"};
+  if (settings.method == Method::forwardEuler || settings.method == Method::symplecticEuler) {
+    return Problem{"solver.step",
+                   std::string(nameOf(settings.method)) + " has no estimate of its error to keep to",
+                   "choose velocity-verlet or rk4, or give no tolerance"};
+  }
+  return std::nullopt;
+}
+
 std::optional<Problem> checkSettings(const Network& network, const Environment& environment,
                                      const Settings& settings, const std::vector<Track>& tracks) {
   if (network.nodeCount() == 0) return Problem{"", "there is nothing to simulate", "add a part to the scene"};
@@ -49,6 +63,7 @@ std::optional<Problem> checkSettings(const Network& network, const Environment& 
   if (settings.step && (!std::isfinite(*settings.step) || *settings.step <= 0.0)) {
     return Problem{"solver.step", "the step is not a positive number of seconds", "leave it \"auto\""};
   }
+  if (auto problem = checkTolerance(settings)) return problem;
   if (!(settings.safety > 0.0 && settings.safety <= 0.9)) {
     return Problem{"solver.safety", "the safety factor is not between 0 and 0.9", "0.5 is the default"};
   }

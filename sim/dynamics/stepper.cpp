@@ -52,10 +52,8 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {
   const std::size_t count = network_.nodeCount();
   forces_.touched.assign(layout_.blockCount(), 0);
-  if (oneStep_) {
-    startRates_ = {NodeVectors(count)};
-    endRates_ = startRates_;
-  }
+  if (oneStep_) startRates_ = {NodeVectors(count)};
+  if (oneStep_ || settings.tolerance) endRates_ = {NodeVectors(count)};
   for (std::size_t node = 0; node < count; ++node) {
     now_.position.set(node, network_.positions[node]);
     now_.velocity.set(node, network_.velocities[node]);
@@ -65,6 +63,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
   }
   arena_.execute([&] {
     controls_.moveTo(0.0);
+    startTolerance();
     chooseStep();
     refreshContacts();
     ledger_.begin(drawLedger(present()));
@@ -153,7 +152,8 @@ void Stepper::chooseStep() {
   const double stable = stableStep(spectrum_, stiffening, settings_.method, settings_.safety);
   // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
   constexpr double kLongest = 1e-2;
-  const double wanted = std::min({stable, kLongest, contacts_.longestTravel() / fastestNow()});
+  const double wanted = std::min({stable, kLongest, latticeCounts_ ? toleratedStep_ : kLongest,
+                                  contacts_.longestTravel() / fastestNow()});
   if (wantedStep_ == 0.0 || wanted < wantedStep_ || wanted > kStepGrowth * wantedStep_) want(wanted);
 }
 
@@ -267,6 +267,7 @@ Status Stepper::stepInArena() {
   const bool moving = !fragments_.noneDeforms() || fragments_.anyTouched();
   const Result<double> travel = oneStep_ ? moveByOneStep() : moveByLeapfrog();
   if (!travel) return travel.problem();
+  if (!oneStep_) lookAtLeapfrogError(kick());
   countWork();
   lastStep_ = step_;
   ++segmentSteps_;
@@ -275,6 +276,7 @@ Status Stepper::stepInArena() {
   if (moving) breakOverstretched();
   applyControls();
   refreshContacts();
+  followTolerance();
   if (moving && skipsFragments() && work_.steps % FragmentStates::kStepsPerReview == 0)
     fragments_.review(time());
   if (latticeMoves() != latticeCounts_) chooseStep();

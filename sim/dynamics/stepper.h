@@ -79,6 +79,7 @@ class Stepper {
   void makeStartKnown();
   void flowPlastically();
   double worstExcess(std::span<const Breakage::Overstretched> bonds, const Motion& motion) const;
+  std::optional<OneStepMethod::Flow> tryStep(double& length);
   OneStepMethod::Flow locateBreak(std::span<const Breakage::Overstretched> bonds, OneStepMethod::Flow flow,
                                   double& length);
   Status checkSpeeds(double& fastest) const;
@@ -96,6 +97,16 @@ class Stepper {
   Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;
   void chooseStep();
   bool latticeMoves() const;
+  // The step that keeps to a tolerance (stepper_tolerance.cpp).
+  double stiffestRate() const;
+  double shortestStep() const;
+  void startTolerance();
+  double strainErrorPerSwing(const NodeVectors& error, double length);
+  double longestTolerated(const NodeVectors& error, double length, int errorPower);
+  void aimFor(double longest, double elapsed);
+  void lookAtLeapfrogError(double kick);
+  bool tolerates(double& length);
+  void followTolerance();
   double fastestNow() const;
   /// Of the next step, s: of this very one for methods that can change it at any time.
   void want(double step);
@@ -138,7 +149,7 @@ class Stepper {
   std::vector<BlockReport> reports_;
   std::unique_ptr<OneStepMethod> oneStep_;  ///< none: the method is of the leapfrog family
   Rates startRates_;                        ///< of now_, if they are known; one-step methods only
-  Rates endRates_;
+  Rates endRates_;                          ///< of where a step ended
   bool startKnown_ = false;
   std::vector<BreakEvent> events_;
   Work work_;
@@ -149,8 +160,11 @@ class Stepper {
   double wantedStep_ =
       0.0;                 ///< s: the next step, unless a break cuts it short; of the leapfrog family, step_
   double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
-  bool latticeCounts_ = true;                       ///< in the choice of the step
-  double controlsTime_ = 0.0;                       ///< s: when the tracks were last applied
+  bool latticeCounts_ = true;  ///< in the choice of the step
+  static constexpr double kAnyStep = 1.0;
+  double toleratedStep_ = kAnyStep;  ///< s: the longest that keeps to the tolerance, as far as it is known
+  double largestStrain_ = 0.0;       ///< rms over bonds, the largest so far; with a tolerance only
+  double controlsTime_ = 0.0;        ///< s: when the tracks were last applied
   std::optional<tbb::global_control> moreThreads_;  ///< TBB would not give more than the processor has
   mutable tbb::task_arena arena_;
 };

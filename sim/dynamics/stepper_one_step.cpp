@@ -15,8 +15,8 @@ constexpr double kFinestSearch = 1e-4;
 /// What breaks within this share of a step breaks together: in a crack that runs on and on, steps must not
 /// shrink to nothing.
 constexpr double kShortestLocated = 1.0 / 64.0;
-/// A step whose end is not found is halved so often at most.
-constexpr int kMostHalvings = 10;
+/// A step whose end is not found, or only roughly, is made shorter so often at most.
+constexpr int kMostAttempts = 12;
 
 }  // namespace
 
@@ -41,7 +41,9 @@ void Stepper::ratesAt(const Motion& at, double ahead, Rates& rates) {
     Contacts::clear(forces_);
   } else {
     const std::vector<MovingCollider> colliders = controls_.collidersAhead(ahead);
-    const Contacts::Moment trial{at, colliders, controls_.materials(), kick()};
+    Contacts::Moment trial{at, colliders, controls_.materials(), kick()};
+    trial.awake = fragments_.activity().awakeLanes();
+    trial.awakeVersion = fragments_.activity().version();
     const Contacts::ColliderWork work = contacts_.computeForces(trial, forces_);
     rates.outsideWork += work.outside / kick();
     rates.dissipated += work.dissipated / kick();
@@ -150,19 +152,29 @@ void Stepper::makeStartKnown() {
   startKnown_ = true;
 }
 
+/// Makes the step shorter until the method finds its end, and that with a tolerable error.
+std::optional<OneStepMethod::Flow> Stepper::tryStep(double& length) {
+  TrialWorld world(*this);
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    const std::optional<OneStepMethod::Flow> flow =
+        oneStep_->advance(world, now_, startRates_, length, next_);
+    if (!flow) {
+      length *= 0.5;
+      continue;
+    }
+    ratesAt(next_, length, endRates_);
+    if (tolerates(length)) return flow;
+  }
+  return std::nullopt;
+}
+
 Result<double> Stepper::moveByOneStep() {
   flowPlastically();
   setStep(wantedStep_);
   makeStartKnown();
-  TrialWorld world(*this);
   double length = step_;
-  std::optional<OneStepMethod::Flow> flow;
-  for (int halvings = 0; !flow; ++halvings) {
-    if (halvings > kMostHalvings) return blowUp("moves in a way for which no step is short enough");
-    flow = oneStep_->advance(world, now_, startRates_, length, next_);
-    if (!flow) length *= 0.5;
-  }
-  ratesAt(next_, length, endRates_);
+  std::optional<OneStepMethod::Flow> flow = tryStep(length);
+  if (!flow) return blowUp("moves in a way for which no step is short enough");
   if (const auto bonds = findOverstretched(next_); !bonds.empty()) {
     *flow = locateBreak(bonds, *flow, length);
     ratesAt(next_, length, endRates_);

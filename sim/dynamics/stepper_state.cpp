@@ -10,7 +10,7 @@ namespace sim {
 namespace {
 
 /// Changes with the layout of checkpoints, so that a run is never resumed from one it cannot read.
-constexpr std::uint32_t kCheckpointVersion = 5;
+constexpr std::uint32_t kCheckpointVersion = 6;
 
 const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
                        "resume from an earlier one, or run again"};
@@ -106,7 +106,9 @@ std::vector<std::byte> Stepper::checkpoint() const {
   fragments_.save(writer);
   ledger_.save(writer);
   writer.put(work_);
-  for (const double value : {segmentStart_, step_, lastStep_, controlsTime_, wantedStep_}) writer.put(value);
+  for (const double value :
+       {segmentStart_, step_, lastStep_, controlsTime_, wantedStep_, toleratedStep_, largestStrain_})
+    writer.put(value);
   writer.put(segmentSteps_);
   writer.put(XXH3_64bits(writer.bytes().data(), writer.size()));
   return std::move(writer).take();
@@ -140,13 +142,13 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
     return kDamaged;
   Work work;
   reader.read(work);
-  std::array<double, 5> times{};
+  std::array<double, 7> times{};
   for (double& value : times) reader.read(value);
   std::uint64_t segmentSteps = 0;
   reader.read(segmentSteps);
   const bool finite =
       std::all_of(times.begin(), times.end(), [](double value) { return std::isfinite(value); });
-  if (!reader.finished() || !finite || times[1] <= 0.0 || times[4] <= 0.0) return kDamaged;
+  if (!reader.finished() || !finite || times[1] <= 0.0 || times[4] <= 0.0 || times[5] <= 0.0) return kDamaged;
 
   now_ = std::move(now);
   next_ = now_;
@@ -159,6 +161,8 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   lastStep_ = times[2];
   controlsTime_ = times[3];
   wantedStep_ = times[4];
+  toleratedStep_ = times[5];
+  largestStrain_ = times[6];
   startKnown_ = false;
   segmentSteps_ = segmentSteps;
   // Bonds leave the layout in any order: what remains keeps its own.
@@ -179,8 +183,8 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
 
 std::size_t Stepper::memoryBytes() const {
   const std::size_t motion = 4 * now_.position.memoryBytes() + 2 * forces_.total.memoryBytes();
-  const std::size_t method =
-      oneStep_ ? oneStep_->memoryBytes() + 2 * startRates_.acceleration.memoryBytes() : 0;
+  const std::size_t method = startRates_.acceleration.memoryBytes() + endRates_.acceleration.memoryBytes() +
+                             (oneStep_ ? oneStep_->memoryBytes() : 0);
   return sizeof(*this) + method + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() +
          components_.memoryBytes() + fragments_.memoryBytes() + contacts_.memoryBytes() + motion +
          inverseMasses_.capacity() * sizeof(double) + reports_.capacity() * sizeof(BlockReport) +

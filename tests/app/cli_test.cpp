@@ -126,12 +126,20 @@ TEST_CASE("options change what they say, and settings anything") {
   CHECK(report["energy"]["kinetic"].get<double>() < 1e-12);  // nothing acts: only rounding moves it
 }
 
+TEST_CASE("a tolerance makes the steps of a run shorter") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "loose", "--until 0.001").status == 0);
+  REQUIRE(simulate(folder, "tight", "--until 0.001 --tolerance 1e-5").status == 0);
+  CHECK(folder.json("tight.json")["steps"] > folder.json("loose.json")["steps"]);
+}
+
 TEST_CASE("a wrong input ends with status 2 and one line that says where and how to mend it") {
   const PlateFolder folder;
   const std::string scene = folder.scene();
   const std::pair<std::string, std::string> wrong[] = {
       {"simulate " + scene + " --method rk5", "--method:1:1: method does not know \"rk5\"; did you mean"},
       {"simulate " + scene + " --step nan", "--step:1:1: step does not know \"nan\"; did you mean \"auto\""},
+      {"simulate " + scene + " --tolerance 2", "--tolerance:1:14: tolerance holds 2; give a number above 0"},
       {"simulate " + scene + " --until -1", "--until:1:1: duration holds -1; give a number of at least 0"},
       {"simulate " + scene + " --set output.fsp=3",
        "--set output.fsp:1:1: there is no key \"fsp\" here; did you mean \"fps\""},

@@ -74,6 +74,9 @@ TEST_CASE("what refers to nothing is named with what is nearest") {
        "\"one\" is no bond type; give a whole number from 1 on"},
       {"[0.5, 0.5, 0.5, 0.5]", "[0, 0, 0, 0]", "this quaternion has no direction"},
       {"\"safety\": 0.4", "\"safety\": 1.4", "safety holds 1.4; give a number above 0 and at most 0.9"},
+      {"\"step\": 2e-6", "\"step\": {\"tolerance\": 2}",
+       "tolerance holds 2; give a number above 0 and at most 1"},
+      {"\"step\": 2e-6", "\"step\": {}", "\"tolerance\""},
       {"\"seed\": 18446744073709551615", "\"seed\": 1.5", "seed holds 1.5; give a whole number"},
       {"\"symplectic-euler\"", "\"simplectic\"", "did you mean \"symplectic-euler\""},
   };

@@ -34,6 +34,15 @@ TEST_CASE("a scene that is written and read is the same scene") {
   }
 }
 
+TEST_CASE("each form of a step survives writing and reading") {
+  Scene scene = sceneOf(kPlainScene);
+  for (const modeling::Step& step :
+       {modeling::Step{}, modeling::Step{2e-6, std::nullopt}, modeling::Step{std::nullopt, 1e-3}}) {
+    scene.solver.step = step;
+    CHECK(sceneOf(writeScene(scene)).solver.step == step);
+  }
+}
+
 TEST_CASE("no value of the full scene is left behind") {
   const Scene scene = sceneOf(kFullScene);
   CHECK(scene.name == "everything");

@@ -31,6 +31,7 @@ std::unique_ptr<sim::Simulation> crash(const CrashOptions& options) {
   settings.threads = options.threads;
   settings.seed = options.seed;
   settings.method = options.method;
+  settings.tolerance = options.tolerance;
   const std::vector<sim::Track> tracks = {
       track(sim::TrackTarget::gravityScale, sim::kNone, sim::Interpolation::smooth,
             {{0.0, sim::Vec3::UnitX()}, {0.002, 50.0 * sim::Vec3::UnitX()}}),

@@ -10,6 +10,7 @@ struct CrashOptions {
   int threads = 1;
   std::uint64_t seed = 1;
   sim::Method method = sim::Settings{}.method;
+  std::optional<double> tolerance = {};
 };
 
 /// A brittle block falls onto a plastic one that lies on a moving floor, while gravity and stiffness are
