@@ -48,15 +48,13 @@ Json energyJson(const sim::Energy& energy, double maxRise) {
 }
 
 Json workJson(const sim::Work& work) {
-  return {{"bonds_evaluated", work.bondsEvaluated},
-          {"bonds_skipped", work.bondsSkipped},
-          {"contact_pairs", work.contactPairs},
-          {"neighbour_lists", work.neighbourLists},
-          {"contact_searches", work.contactSearches},
-          {"labelings", work.labelings},
-          {"bonds_rigid", work.bondsRigid},
-          {"bonds_asleep", work.bondsAsleep},
-          {"steps_rigid", work.stepsRigid}};
+  return {{"bonds_evaluated", work.bondsEvaluated},   {"bonds_skipped", work.bondsSkipped},
+          {"contact_pairs", work.contactPairs},       {"neighbour_lists", work.neighbourLists},
+          {"contact_searches", work.contactSearches}, {"labelings", work.labelings},
+          {"bonds_rigid", work.bondsRigid},           {"bonds_asleep", work.bondsAsleep},
+          {"steps_rigid", work.stepsRigid},           {"bonds_untested", work.bondsUntested},
+          {"bonds_undamped", work.bondsUndamped},     {"labelings_skipped", work.labelingsSkipped},
+          {"ledgers_skipped", work.ledgersSkipped}};
 }
 
 int threadsUsed(int asked) {

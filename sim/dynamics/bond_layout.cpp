@@ -55,8 +55,12 @@ struct LowerRows {
 
 class BondLayout::Builder {
  public:
-  Builder(const Network& network, BondLayout& layout)
-      : network_(network), layout_(layout), lower_(network), placeOfClass_(network.classes.size(), kNone) {}
+  Builder(const Network& network, const Spared& spared, BondLayout& layout)
+      : network_(network),
+        spared_(spared),
+        layout_(layout),
+        lower_(network),
+        placeOfClass_(network.classes.size(), kNone) {}
 
   void addBlock(std::size_t block) {
     collect(block);
@@ -141,7 +145,11 @@ class BondLayout::Builder {
       threshold = std::min(threshold, network_.thresholds[half.bond]);
     }
     slot.breakRatio = breakRatioOf(threshold);
-    slot.tested = std::isfinite(threshold) && (gathered || slot.where > 0);
+    const bool breakable = std::isfinite(threshold) || !spared_.thresholds;
+    slot.tested = breakable && (gathered || slot.where > 0);
+    slot.damped = slot.damped || !spared_.damping;
+    if (!breakable) layout_.untestedEnds_ += run.size();
+    if (!slot.damped) layout_.undampedEnds_ += run.size();
     slot.constants =
         slot.varied ? addLanes(run, slot.plastic) : constantsOf(network_.bondClasses[run.front().bond]);
     if (gathered) slot.where = addGather(run, block);
@@ -194,6 +202,7 @@ class BondLayout::Builder {
   }
 
   const Network& network_;
+  const Spared spared_;
   BondLayout& layout_;
   LowerRows lower_;
   std::vector<std::uint32_t> placeOfClass_;  ///< in constants_, or kNone
@@ -202,10 +211,10 @@ class BondLayout::Builder {
   std::vector<HalfBond> rest_;
 };
 
-BondLayout::BondLayout(const Network& network) {
+BondLayout::BondLayout(const Network& network, const Spared& spared) {
   assert(network.materials.size() <= 256);
   const std::size_t blocks = (network.nodeCount() + kBlockNodes - 1) / kBlockNodes;
-  Builder builder(network, *this);
+  Builder builder(network, spared, *this);
   for (std::size_t block = 0; block < blocks; ++block) builder.addBlock(block);
   slots_.shrink_to_fit();
   lanes_.shrink_to_fit();

@@ -14,9 +14,18 @@ namespace sim {
 /// what broke and not on when it was built.
 class BondLayout {
  public:
-  explicit BondLayout(const Network& network);
+  /// What the kernel need not do: test bonds that cannot break, and push dampers of no strength.
+  struct Spared {
+    bool thresholds = true;
+    bool damping = true;
+  };
+  BondLayout(const Network& network, const Spared& spared);
+  explicit BondLayout(const Network& network) : BondLayout(network, Spared{}) {}
 
   std::size_t blockCount() const { return firstSlot_.size(); }
+  /// Bonds of the whole network that are not tested for breaking, or have no damper evaluated.
+  std::uint64_t untestedBonds() const { return untestedEnds_ / 2; }
+  std::uint64_t undampedBonds() const { return undampedEnds_ / 2; }
 
   /// Takes a bond out at both ends. The bond must still be in.
   void remove(const Network& network, BondIndex bond);
@@ -66,6 +75,8 @@ class BondLayout {
   mutable AlignedVector<SlotLanes> lanes_;
   std::vector<std::uint32_t> gathers_;
   bool hasPlastic_ = false;
+  std::uint64_t untestedEnds_ = 0;  ///< bonds seen from either end
+  std::uint64_t undampedEnds_ = 0;
 };
 
 }  // namespace sim

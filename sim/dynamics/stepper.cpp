@@ -33,7 +33,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
     : network_(std::move(network)),
       settings_(settings),
       spectrum_(measureSpectrum(network_)),
-      layout_(network_),
+      layout_(network_, {settings.skip.thresholds, settings.skip.damping}),
       breakage_(network_),
       components_(network_, layout_),
       contacts_(network_, settings.contact, settings.skip.contactSearch),
@@ -261,6 +261,8 @@ void Stepper::countWork() {
   work_.bondsRigid += rigid;
   work_.bondsAsleep += asleep;
   if (fragments_.noneDeforms()) ++work_.stepsRigid;
+  work_.bondsUntested += layout_.untestedBonds();
+  work_.bondsUndamped += layout_.undampedBonds();
 }
 
 Status Stepper::stepInArena() {
@@ -274,13 +276,20 @@ Status Stepper::stepInArena() {
   if (contacts_.looksAfter(*travel)) fragments_.placeBodies();
   contacts_.age(now_, *travel);
   if (moving) breakOverstretched();
+  if (moving && !settings_.skip.labelling) {
+    components_.labelAgain(layout_);
+    work_.labelings = components_.relabelings();
+    work_.labelingsSkipped = 0;
+  }
   applyControls();
   refreshContacts();
   followTolerance();
   if (moving && skipsFragments() && work_.steps % FragmentStates::kStepsPerReview == 0)
     fragments_.review(time());
   if (latticeMoves() != latticeCounts_) chooseStep();
-  return moving && work_.steps % kStepsPerLedger == 0 ? watchEnergy() : Status(Done{});
+  if (moving && (!settings_.skip.ledger || work_.steps % kStepsPerLedger == 0)) return watchEnergy();
+  ++work_.ledgersSkipped;
+  return Done{};
 }
 
 /// Where all sleep, nothing happens until a track says otherwise: the clock moves on by itself, to the same

@@ -50,7 +50,10 @@ void Stepper::loseBond(const BreakEvent& event) {
 
 void Stepper::breakOverstretched() {
   const std::vector<Breakage::Overstretched> overstretched = findOverstretched(breakingMotion());
-  if (overstretched.empty()) return;
+  if (overstretched.empty()) {
+    ++work_.labelingsSkipped;
+    return;
+  }
   const std::size_t before = events_.size();
   const auto strainOf = [&](BondIndex bond) { return static_cast<float>(strainIn(breakingMotion(), bond)); };
   breakage_.breakBonds(overstretched, oneStep_ ? time() : time() - step_, strainOf, events_);

@@ -166,7 +166,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   startKnown_ = false;
   segmentSteps_ = segmentSteps;
   // Bonds leave the layout in any order: what remains keeps its own.
-  layout_ = BondLayout(network_);
+  layout_ = BondLayout(network_, {settings_.skip.thresholds, settings_.skip.damping});
   for (BondIndex bond = 0; bond < network_.bondCount(); ++bond) {
     if (brokenBonds[bond] != 0) layout_.remove(network_, bond);
   }

@@ -75,7 +75,7 @@ double lowestOfImpact(double speed, const sim::Environment& environment) {
   return lowest;
 }
 
-TEST_CASE("nothing passes through the floor or a thin plate at 100 m/s") {
+TEST_CASE("stoneware passes neither through the floor nor through a thin plate at 100 m/s") {
   constexpr double kSpeed = 1e4;
   sim::Environment plate = tests::weightless();
   sim::Collider& box = plate.colliders.emplace_back();

@@ -145,6 +145,44 @@ TEST_CASE("rigid pieces of a crash push each other by equal forces") {
   CHECK(run->maxRise() < 0.005);
 }
 
+TEST_CASE("what is left out because it would change nothing changes nothing, to the bit") {
+  const auto crash = [](bool sim::SkipSettings::*off) {
+    tests::Block block = cube(0.0);
+    block.nx = block.ny = block.nz = 4;
+    block.youngsModulus = 1e8;
+    block.dampingTime = 5e-5;
+    block.material.thresholdMean = 0.02;
+    block.material.thresholdSpread = 0.2;
+    sim::Blueprint blueprint = tests::twoBlocks(block, 1.5, 3000.0);
+    // Beside them one that has no dampers and cannot break.
+    tests::append(blueprint,
+                  tests::block({.corner = Vec3(0.0, 1.5, 30.0), .velocity = Vec3(0.0, 0.0, -3000.0)}));
+    sim::Settings settings = withSkips(true);
+    if (off != nullptr) settings.skip.*off = false;
+    auto run = tests::simulation(blueprint, settings, dampedFloor());
+    tests::run(*run, 0.01);
+    return run;
+  };
+  const auto all = crash(nullptr);
+  REQUIRE(all->brokenBondCount() > 100);
+  CHECK(all->work().bondsUntested > 0);
+  CHECK(all->work().bondsUndamped > 0);
+  CHECK(all->work().labelingsSkipped > 0);
+  CHECK(all->work().ledgersSkipped > 0);
+  const auto untested = crash(&sim::SkipSettings::thresholds);
+  CHECK(untested->work().bondsUntested == 0);
+  const auto undamped = crash(&sim::SkipSettings::damping);
+  CHECK(undamped->work().bondsUndamped == 0);
+  const auto labelled = crash(&sim::SkipSettings::labelling);
+  CHECK(labelled->work().labelings >= labelled->stepCount());
+  const auto accounted = crash(&sim::SkipSettings::ledger);
+  CHECK(accounted->work().ledgersSkipped == 0);
+  for (const auto* other : {&untested, &undamped, &labelled, &accounted}) {
+    CHECK((*other)->stateHash() == all->stateHash());
+    CHECK((*other)->stepCount() == all->stepCount());
+  }
+}
+
 TEST_CASE("what rests sleeps where it lies, and costs nothing") {
   const auto skipping = tests::simulation(tests::block(cube(0.5)), withSkips(true), dampedFloor());
   const auto full = tests::simulation(tests::block(cube(0.5)), withSkips(false), dampedFloor());
