@@ -15,17 +15,18 @@ struct Shorthand {
   const char* after = "";
 };
 
-constexpr std::array<Shorthand, 6> kShorthands{
+constexpr std::array<Shorthand, 7> kShorthands{
     {{"--until", "output.duration", &SceneOptions::until},
      {"--fps", "output.fps", &SceneOptions::fps},
      {"--seed", "solver.seed", &SceneOptions::seed},
      {"--method", "solver.method", &SceneOptions::method},
+     {"--precision", "solver.precision", &SceneOptions::precision},
      {"--step", "solver.step", &SceneOptions::step},
      {"--tolerance", "solver.step", &SceneOptions::tolerance, R"({"tolerance":)", "}"}}};
 
-std::string methods() {
+std::string listOf(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : sim::methodNames()) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
 
@@ -36,7 +37,8 @@ void SceneOptions::addTo(CLI::App& command) {
   command.add_option("--until", until, "Seconds to simulate, in place of output.duration");
   command.add_option("--fps", fps, "Frames a second, in place of output.fps");
   command.add_option("--seed", seed, "Of the random thresholds");
-  command.add_option("--method", method, "One of " + methods());
+  command.add_option("--method", method, "One of " + listOf(sim::methodNames()));
+  command.add_option("--precision", precision, "Of forces, one of " + listOf(sim::precisionNames()));
   CLI::Option* fixed = command.add_option("--step", step, "Seconds, or auto");
   command.add_option("--tolerance", tolerance, "Error of strain a shortest swing that the step keeps to")
       ->excludes(fixed);

@@ -19,6 +19,7 @@ struct SceneOptions {
   std::string fps;
   std::string seed;
   std::string method;
+  std::string precision;
   std::string step;
   std::string tolerance;
 

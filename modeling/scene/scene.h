@@ -205,6 +205,7 @@ struct Step {
 
 struct Solver {
   sim::Method method = sim::Settings{}.method;
+  sim::Precision precision = sim::Settings{}.precision;
   Step step;
   double safety = sim::Settings{}.safety;
   Contact contact;

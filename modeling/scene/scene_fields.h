@@ -292,6 +292,7 @@ struct Fields<Solver> {
   static constexpr auto list() {
     using T = Solver;
     return std::tuple{field("method", &T::method, "How the equations of motion are stepped."),
+                      field("precision", &T::precision, "What forces of bonds are computed in."),
                       field("step", &T::step, "Seconds, auto, or a tolerance of strain.").above(0),
                       field("safety", &T::safety, "Share of the largest stable step.").above(0).atMost(0.9),
                       field("contact", &T::contact, "Between nodes."),

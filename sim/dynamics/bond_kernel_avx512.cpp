@@ -1,2 +1,3 @@
 #define SMITHEREENS_KERNEL kernel_avx512
 #include "sim/dynamics/bond_kernel_body.h"
+#include "sim/dynamics/bond_kernel_float_body.h"

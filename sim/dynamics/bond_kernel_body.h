@@ -32,16 +32,17 @@ constexpr std::size_t kWidth = Real::size();
 constexpr unsigned kAllLanes = (1U << kWidth) - 1U;
 
 /// 1 in the lanes whose bit is set: masks are made by comparing a row of this.
+template <class Number, std::size_t kLanes>
 struct LaneTable {
-  alignas(64) double row[1U << kWidth][kWidth];
+  alignas(64) Number row[1U << kLanes][kLanes];
   constexpr LaneTable() : row() {
-    for (std::size_t bits = 0; bits < (1U << kWidth); ++bits) {
-      for (std::size_t lane = 0; lane < kWidth; ++lane)
-        row[bits][lane] = ((bits >> lane) & 1U) != 0 ? 1.0 : 0.0;
+    for (std::size_t bits = 0; bits < (1U << kLanes); ++bits) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        row[bits][lane] = static_cast<Number>((bits >> lane) & 1U);
     }
   }
 };
-constexpr LaneTable kLaneTable;
+constexpr LaneTable<double, kWidth> kLaneTable;
 
 SMITHEREENS_INLINE Real load(const double* from) {
   return Real(from, stdx::element_aligned);
@@ -224,6 +225,25 @@ SMITHEREENS_INLINE Real moveAxis(const KernelStep& step, int axis, std::size_t n
   return -0.5 * step.kick * lossy * (velocity + next);
 }
 
+SMITHEREENS_INLINE void moveLanes(const KernelStep& step, std::size_t block, std::size_t node,
+                                  const Triple& position, const Triple& velocity, Gathered& sum,
+                                  BlockReport& report) {
+  if (step.hasExternal[block] != 0) addExternal(step, node, sum);
+  const Real inverseMass = load(step.inverseMass + node);
+  Real speedSquared = 0.0;
+  Real work = sum.flowed;
+  work += moveAxis(step, 0, node, position.x, velocity.x, sum.forceX, sum.lossyX, inverseMass, speedSquared);
+  work += moveAxis(step, 1, node, position.y, velocity.y, sum.forceY, sum.lossyY, inverseMass, speedSquared);
+  work += moveAxis(step, 2, node, position.z, velocity.z, sum.forceZ, sum.lossyZ, inverseMass, speedSquared);
+
+  report.dissipated += stdx::reduce(work);
+  // The largest of numbers among which there is one that is none would be any of them.
+  const double largest =
+      stdx::all_of(speedSquared == speedSquared) ? stdx::hmax(speedSquared) : stdx::reduce(speedSquared);
+  if (!(largest <= report.largestSpeedSquared)) report.largestSpeedSquared = largest;
+  report.suspect |= sum.suspect;
+}
+
 SMITHEREENS_INLINE void stepLanes(const KernelStep& step, std::size_t block, std::size_t lane,
                                   BlockReport& report) {
   const std::size_t node = block * kBlockNodes + lane;
@@ -242,20 +262,7 @@ SMITHEREENS_INLINE void stepLanes(const KernelStep& step, std::size_t block, std
       addSlot<false>(step, *slot, node, lane, bits, position, velocity, sum);
     }
   }
-  if (step.hasExternal[block] != 0) addExternal(step, node, sum);
-  const Real inverseMass = load(step.inverseMass + node);
-  Real speedSquared = 0.0;
-  Real work = sum.flowed;
-  work += moveAxis(step, 0, node, position.x, velocity.x, sum.forceX, sum.lossyX, inverseMass, speedSquared);
-  work += moveAxis(step, 1, node, position.y, velocity.y, sum.forceY, sum.lossyY, inverseMass, speedSquared);
-  work += moveAxis(step, 2, node, position.z, velocity.z, sum.forceZ, sum.lossyZ, inverseMass, speedSquared);
-
-  report.dissipated += stdx::reduce(work);
-  // The largest of numbers among which there is one that is none would be any of them.
-  const double largest =
-      stdx::all_of(speedSquared == speedSquared) ? stdx::hmax(speedSquared) : stdx::reduce(speedSquared);
-  if (!(largest <= report.largestSpeedSquared)) report.largestSpeedSquared = largest;
-  report.suspect |= sum.suspect;
+  moveLanes(step, block, node, position, velocity, sum, report);
 }
 
 }  // namespace

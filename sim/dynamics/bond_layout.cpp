@@ -16,6 +16,9 @@ namespace {
 /// Directions shared by fewer lanes of a block than this are gathered: a contiguous slot costs about as much
 /// as a gathered one of the same number of lanes, but gathered slots pack several directions together.
 constexpr std::size_t kFewestContiguous = 4;
+/// A bond is at rest in the network's positions when its strain there is less: a hundredth of what a force in
+/// float may be wrong by where bonds break at 1e-3.
+constexpr double kAtRest = 1e-10;
 /// A slot with breakRatio 1 is suspect when stretched at all: thresholds this small are tested exactly.
 float breakRatioOf(float threshold) {
   const double ratio = 1.0 / (1.0 + (1.0 - 1e-6) * static_cast<double>(threshold));
@@ -50,6 +53,16 @@ struct LowerRows {
     }
   }
 };
+
+FloatLanes inFloat(const SlotLanes& lanes) {
+  FloatLanes floats{};
+  for (std::size_t lane = 0; lane < kBlockNodes; ++lane) {
+    floats.stiffness[lane] = static_cast<float>(lanes.stiffness[lane]);
+    floats.restLength[lane] = static_cast<float>(lanes.restLength[lane]);
+    floats.damping[lane] = static_cast<float>(lanes.damping[lane]);
+  }
+  return floats;
+}
 
 }  // namespace
 
@@ -135,6 +148,9 @@ class BondLayout::Builder {
     slot.material = run.front().material;
     slot.gathered = gathered;
     slot.plastic = std::isfinite(material.yieldStrain) && material.flowRate > 0.0;
+    slot.exact = slot.plastic || !std::all_of(run.begin(), run.end(),
+                                              [&](const HalfBond& half) { return isAtRest(half.bond); });
+    layout_.hasExact_ = layout_.hasExact_ || slot.exact;
     slot.varied = slot.plastic || std::any_of(run.begin(), run.end(), [&](const HalfBond& half) {
                     return network_.bondClasses[half.bond] != network_.bondClasses[run.front().bond];
                   });
@@ -155,6 +171,13 @@ class BondLayout::Builder {
     if (gathered) slot.where = addGather(run, block);
     layout_.hasPlastic_ = layout_.hasPlastic_ || slot.plastic;
     layout_.slots_.push_back(slot);
+  }
+
+  bool isAtRest(BondIndex bond) const {
+    const Vec3 apart =
+        network_.positions[network_.bondEnds[bond]] - network_.positions[network_.bondStart(bond)];
+    const double restLength = network_.bond(bond).restLength;
+    return std::abs(apart.norm() - restLength) < kAtRest * restLength;
   }
 
   std::uint32_t constantsOf(std::uint32_t bondClass) {
@@ -211,7 +234,7 @@ class BondLayout::Builder {
   std::vector<HalfBond> rest_;
 };
 
-BondLayout::BondLayout(const Network& network, const Spared& spared) {
+BondLayout::BondLayout(const Network& network, const Spared& spared, Precision precision) {
   assert(network.materials.size() <= 256);
   const std::size_t blocks = (network.nodeCount() + kBlockNodes - 1) / kBlockNodes;
   Builder builder(network, spared, *this);
@@ -219,6 +242,9 @@ BondLayout::BondLayout(const Network& network, const Spared& spared) {
   slots_.shrink_to_fit();
   lanes_.shrink_to_fit();
   gathers_.shrink_to_fit();
+  if (precision == Precision::float64) return;
+  floatLanes_.reserve(lanes_.size());
+  for (const SlotLanes& lanes : lanes_) floatLanes_.push_back(inFloat(lanes));
 }
 
 BondLayout::Place BondLayout::find(NodeIndex node, NodeIndex neighbour) const {
@@ -291,7 +317,7 @@ std::size_t BondLayout::memoryBytes() const {
   return slots_.capacity() * sizeof(BondSlot) +
          (firstSlot_.capacity() + gathers_.capacity()) * sizeof(std::uint32_t) +
          slotCount_.capacity() * sizeof(std::uint16_t) + lanes_.capacity() * sizeof(SlotLanes) +
-         constants_.capacity() * sizeof(SlotConstants);
+         floatLanes_.capacity() * sizeof(FloatLanes) + constants_.capacity() * sizeof(SlotConstants);
 }
 
 }  // namespace sim

@@ -4,6 +4,7 @@
 
 #include "sim/base/aligned.h"
 #include "sim/dynamics/bond_kernel.h"
+#include "sim/dynamics/settings.h"
 #include "sim/network/network.h"
 
 namespace sim {
@@ -19,7 +20,7 @@ class BondLayout {
     bool thresholds = true;
     bool damping = true;
   };
-  BondLayout(const Network& network, const Spared& spared);
+  BondLayout(const Network& network, const Spared& spared, Precision precision = Precision::float64);
   explicit BondLayout(const Network& network) : BondLayout(network, Spared{}) {}
 
   std::size_t blockCount() const { return firstSlot_.size(); }
@@ -54,6 +55,10 @@ class BondLayout {
   void setPlasticRestLengths(std::span<const double> lengths);
   bool hasPlastic() const { return hasPlastic_; }
 
+  /// For forces in float.
+  const FloatLanes* floatLanes() const { return floatLanes_.data(); }
+  bool hasExact() const { return hasExact_; }
+
   std::size_t memoryBytes() const;
 
  private:
@@ -74,7 +79,9 @@ class BondLayout {
   std::vector<SlotConstants> constants_;  ///< the classes of uniform slots
   mutable AlignedVector<SlotLanes> lanes_;
   std::vector<std::uint32_t> gathers_;
+  AlignedVector<FloatLanes> floatLanes_;  ///< as lanes_; empty where forces are double
   bool hasPlastic_ = false;
+  bool hasExact_ = false;
   std::uint64_t untestedEnds_ = 0;  ///< bonds seen from either end
   std::uint64_t undampedEnds_ = 0;
 };

@@ -10,11 +10,12 @@ namespace sim {
 
 /// A vector a node, one array a coordinate, padded on both sides: the kernel reads whole blocks at a
 /// neighbour's offset, so up to fifteen nodes before the first and behind the last. Padding is zero.
-class NodeVectors {
+template <class Number>
+class NodeVectorsOf {
  public:
-  NodeVectors() = default;
-  explicit NodeVectors(std::size_t nodeCount) : nodeCount_(nodeCount) {
-    for (auto& array : arrays_) array.assign(paddedCount(nodeCount) + 2 * kBlockNodes, 0.0);
+  NodeVectorsOf() = default;
+  explicit NodeVectorsOf(std::size_t nodeCount) : nodeCount_(nodeCount) {
+    for (auto& array : arrays_) array.assign(paddedCount(nodeCount) + 2 * kBlockNodes, Number{0});
   }
 
   static std::size_t paddedCount(std::size_t nodeCount) {
@@ -23,24 +24,29 @@ class NodeVectors {
 
   std::size_t size() const { return nodeCount_; }
   /// Null where there are no nodes.
-  double* axis(std::size_t k) { return arrays_[k].empty() ? nullptr : arrays_[k].data() + kBlockNodes; }
-  const double* axis(std::size_t k) const {
+  Number* axis(std::size_t k) { return arrays_[k].empty() ? nullptr : arrays_[k].data() + kBlockNodes; }
+  const Number* axis(std::size_t k) const {
     return arrays_[k].empty() ? nullptr : arrays_[k].data() + kBlockNodes;
   }
 
   Vec3 get(std::size_t node) const { return {axis(0)[node], axis(1)[node], axis(2)[node]}; }
   void set(std::size_t node, const Vec3& value) {
-    for (std::size_t k = 0; k < 3; ++k) axis(k)[node] = value[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < 3; ++k)
+      axis(k)[node] = static_cast<Number>(value[static_cast<Eigen::Index>(k)]);
   }
   void add(std::size_t node, const Vec3& value) {
-    for (std::size_t k = 0; k < 3; ++k) axis(k)[node] += value[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < 3; ++k)
+      axis(k)[node] += static_cast<Number>(value[static_cast<Eigen::Index>(k)]);
   }
-  std::size_t memoryBytes() const { return 3 * arrays_[0].capacity() * sizeof(double); }
+  std::size_t memoryBytes() const { return 3 * arrays_[0].capacity() * sizeof(Number); }
 
  private:
   std::size_t nodeCount_ = 0;
-  std::array<AlignedVector<double>, 3> arrays_;
+  std::array<AlignedVector<Number>, 3> arrays_;
 };
+
+using NodeVectors = NodeVectorsOf<double>;
+using FloatNodeVectors = NodeVectorsOf<float>;
 
 /// Light moves at 3e10 cm/s, and nothing faster: stopping there keeps all energies finite in what is kept.
 inline constexpr double kLightSpeedSquared = 9e20;

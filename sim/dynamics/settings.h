@@ -29,6 +29,14 @@ bool isImplicit(Method method);
 /// All names, for messages and help.
 const std::vector<std::string>& methodNames();
 
+/// What forces of bonds are computed in; the state is double (docs/numerics.md, "Precision").
+enum class Precision { float64, float32 };
+
+/// "double", "float"; nothing for any other name.
+std::optional<Precision> precisionFromName(std::string_view name);
+std::string_view nameOf(Precision precision);
+const std::vector<std::string>& precisionNames();
+
 /// Natural length of the spring between two nodes in contact (P9).
 enum class ContactLength {
   nearest,  ///< min(r_i, r_j): safe where things break (default)
@@ -60,6 +68,7 @@ struct SkipSettings {
 
 struct Settings {
   Method method = Method::velocityVerlet;
+  Precision precision = Precision::float64;
   std::optional<double> step;  ///< s; absent: automatic and stable (docs/numerics.md)
   /// Of strain, relative to the largest there was, rms over bonds, a shortest swing: then the automatic step
   /// is shortened to keep to it. Not for the paper's methods of Euler, and not with `step`.

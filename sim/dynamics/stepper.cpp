@@ -33,19 +33,23 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
     : network_(std::move(network)),
       settings_(settings),
       spectrum_(measureSpectrum(network_)),
-      layout_(network_, {settings.skip.thresholds, settings.skip.damping}),
+      layout_(network_, {settings.skip.thresholds, settings.skip.damping}, settings.precision),
       breakage_(network_),
       components_(network_, layout_),
       contacts_(network_, settings.contact, settings.skip.contactSearch),
       controls_(network_, std::move(environment), std::move(tracks)),
       ledger_(network_),
       kernel_(stepBlocksFor(KernelKind::automatic)),
+      floatKernel_(floatKernelFor(KernelKind::automatic)),
       now_{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())},
       next_(now_),
       inverseMasses_(NodeVectors::paddedCount(network_.nodeCount()), 0.0),
       fragments_({network_, layout_, breakage_, components_, contacts_, controls_, ledger_, now_, next_,
                   inverseMasses_},
                  settings.skip),
+      reference_(settings.precision == Precision::float32
+                     ? std::make_unique<ReferenceFrames>(network_, components_)
+                     : nullptr),
       reports_(layout_.blockCount()),
       oneStep_(oneStepMethod(settings.method, inverseMasses_, network_.nodeCount())),
       moreThreads_(allowThreads(settings.threads)),
@@ -66,6 +70,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
     startTolerance();
     chooseStep();
     refreshContacts();
+    fittedVersion_ = fragments_.activity().version();
     ledger_.begin(drawLedger(present()));
   });
 }
@@ -96,6 +101,7 @@ void Stepper::applyControls() {
   if (energyChanges) {
     fragments_.wakeEverything(time());
     fragments_.meltEverything(time());
+    fitReference();
     finishKick();
   }
   const double before = energyChanges ? potentialEnergy() : 0.0;
@@ -198,21 +204,47 @@ KernelStep Stepper::kernelStep(const Motion& from, Motion& to) const {
   return step;
 }
 
-void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const {
+/// Calls run(firstBlock, lastBlock) for all runs of blocks that deform.
+template <class Run>
+void Stepper::forActiveBlocks(const Run& run) const {
   const std::span<const std::uint32_t> blocks = fragments_.activity().activeBlocks();
-  const auto run = [&](std::size_t begin, std::size_t end) {
+  const auto runRange = [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
       std::size_t next = begin + 1;
       while (next < end && blocks[next] == blocks[next - 1] + 1) ++next;
-      kernel_(step, blocks[begin], blocks[next - 1] + 1, reports.data());
+      run(blocks[begin], blocks[next - 1] + 1);
       begin = next;
     }
   };
   if (blocks.size() <= kBlockGrain) {
-    run(0, blocks.size());
+    runRange(0, blocks.size());
   } else {
-    parallelRanges(blocks.size(), kBlockGrain, Sharing::even, run);
+    parallelRanges(blocks.size(), kBlockGrain, Sharing::even, runRange);
   }
+}
+
+void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const {
+  if (!reference_) {
+    forActiveBlocks([&](std::size_t first, std::size_t last) { kernel_(step, first, last, reports.data()); });
+    return;
+  }
+  const FloatReference reference = reference_->describe(layout_);
+  KernelStep inFloat = step;
+  inFloat.reference = &reference;
+  forActiveBlocks(
+      [&](std::size_t first, std::size_t last) { floatKernel_.displaceBlocks(inFloat, first, last); });
+  forActiveBlocks([&](std::size_t first, std::size_t last) {
+    floatKernel_.stepBlocks(inFloat, first, last, reports.data());
+  });
+}
+
+/// At the end of a step, from what a checkpoint holds: a resumed run fits when this one does.
+void Stepper::fitReference() {
+  const std::uint64_t version = fragments_.activity().version();
+  if (!reference_) return;
+  if (work_.steps % ReferenceFrames::kStepsPerFit != 0 && version == fittedVersion_) return;
+  fittedVersion_ = version;
+  reference_->fit(now_.position, fragments_.activity());
 }
 
 bool Stepper::skipsFragments() const {
@@ -287,6 +319,7 @@ Status Stepper::stepInArena() {
   if (moving && skipsFragments() && work_.steps % FragmentStates::kStepsPerReview == 0)
     fragments_.review(time());
   if (latticeMoves() != latticeCounts_) chooseStep();
+  fitReference();
   if (moving && (!settings_.skip.ledger || work_.steps % kStepsPerLedger == 0)) return watchEnergy();
   ++work_.ledgersSkipped;
   return Done{};

@@ -7,6 +7,7 @@
 #include "sim/dynamics/fragment_states.h"
 #include "sim/dynamics/ledger.h"
 #include "sim/dynamics/methods/one_step_method.h"
+#include "sim/dynamics/reference_frames.h"
 #include "sim/dynamics/simulation.h"
 #include "sim/dynamics/stable_step.h"
 
@@ -116,6 +117,9 @@ class Stepper {
   /// Of the lanes that deform.
   KernelStep kernelStep(const Motion& from, Motion& to) const;
   void runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const;
+  template <class Run>
+  void forActiveBlocks(const Run& run) const;
+  void fitReference();
   /// Sums the blocks' reports; a Problem when a speed is not finite.
   Status readReports(double& travel);
   void breakOverstretched();
@@ -139,11 +143,14 @@ class Stepper {
   Controls controls_;
   Ledger ledger_;
   StepBlocks kernel_;
+  FloatKernel floatKernel_;
 
   Motion now_;   ///< nodes of rigid bodies are where placeBodies() last put them
   Motion next_;  ///< where the step is written; afterwards, the state before it
   AlignedVector<double> inverseMasses_;
   FragmentStates fragments_;
+  /// None: forces are double. Its scratch is written wherever forces are computed.
+  std::unique_ptr<ReferenceFrames> reference_;
   std::vector<NodeIndex> carried_;  ///< held nodes that move
   Contacts::Forces forces_;
   std::vector<BlockReport> reports_;
@@ -160,6 +167,7 @@ class Stepper {
   double wantedStep_ =
       0.0;                 ///< s: the next step, unless a break cuts it short; of the leapfrog family, step_
   double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
+  std::uint64_t fittedVersion_ = 0;  ///< of the activity, at the last fit of the reference
   bool latticeCounts_ = true;  ///< in the choice of the step
   static constexpr double kAnyStep = 1.0;
   double toleratedStep_ = kAnyStep;  ///< s: the longest that keeps to the tolerance, as far as it is known

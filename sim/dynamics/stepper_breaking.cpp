@@ -62,6 +62,7 @@ void Stepper::breakOverstretched() {
   for (const BreakEvent& event : fresh) loseBond(event);
   if (components_.relabel(layout_, fresh, time())) {
     fragments_.noteBirths(time());
+    if (reference_) reference_->noteBirths(components_);
     contacts_.noteBirths();
   }
   work_.labelings = components_.relabelings();

@@ -104,6 +104,8 @@ std::vector<std::byte> Stepper::checkpoint() const {
   writer.putVector(layout_.plasticRestLengths());
   contacts_.save(writer);
   fragments_.save(writer);
+  writer.put(settings_.precision);
+  if (reference_) reference_->save(writer);
   ledger_.save(writer);
   writer.put(work_);
   for (const double value :
@@ -138,7 +140,12 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   Ledger ledger = ledger_;
   FragmentStates::Saved states;
   if (!contacts.load(reader, controls_.colliders().size()) ||
-      !FragmentStates::read(reader, network_.nodeCount(), fragments.size(), states) || !ledger.load(reader))
+      !FragmentStates::read(reader, network_.nodeCount(), fragments.size(), states))
+    return kDamaged;
+  Precision precision{};
+  std::vector<ReferenceFrame> frames;
+  if (!reader.read(precision) || precision != settings_.precision ||
+      (reference_ && !ReferenceFrames::read(reader, fragments.size(), frames)) || !ledger.load(reader))
     return kDamaged;
   Work work;
   reader.read(work);
@@ -166,7 +173,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   startKnown_ = false;
   segmentSteps_ = segmentSteps;
   // Bonds leave the layout in any order: what remains keeps its own.
-  layout_ = BondLayout(network_, {settings_.skip.thresholds, settings_.skip.damping});
+  layout_ = BondLayout(network_, {settings_.skip.thresholds, settings_.skip.damping}, settings_.precision);
   for (BondIndex bond = 0; bond < network_.bondCount(); ++bond) {
     if (brokenBonds[bond] != 0) layout_.remove(network_, bond);
   }
@@ -174,6 +181,8 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   breakage_.restore(std::move(brokenBonds), std::move(brokenCells));
   components_.restore(std::move(fragmentOfNode), std::move(fragments), work_.labelings);
   fragments_.restore(std::move(states));
+  if (reference_) reference_->restore(std::move(frames), components_);
+  fittedVersion_ = fragments_.activity().version();
   latticeCounts_ = latticeMoves();
   controls_.moveTo(controlsTime_);
   controls_.setFlow(network_, step_);
@@ -185,7 +194,8 @@ std::size_t Stepper::memoryBytes() const {
   const std::size_t motion = 4 * now_.position.memoryBytes() + 2 * forces_.total.memoryBytes();
   const std::size_t method = startRates_.acceleration.memoryBytes() + endRates_.acceleration.memoryBytes() +
                              (oneStep_ ? oneStep_->memoryBytes() : 0);
-  return sizeof(*this) + method + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() +
+  const std::size_t reference = reference_ ? reference_->memoryBytes() : 0;
+  return sizeof(*this) + method + reference + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() +
          components_.memoryBytes() + fragments_.memoryBytes() + contacts_.memoryBytes() + motion +
          inverseMasses_.capacity() * sizeof(double) + reports_.capacity() * sizeof(BlockReport) +
          forces_.touched.capacity() + events_.capacity() * sizeof(BreakEvent);

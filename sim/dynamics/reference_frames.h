@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/base/bytes.h"
+#include "sim/dynamics/activity.h"
+#include "sim/dynamics/bond_kernel.h"
+#include "sim/dynamics/motion.h"
+
+namespace sim {
+
+/// The reference against which forces in float are computed (FloatReference in bond_kernel.h).
+///
+/// The shape of the reference is that of the network when it was made, about the centre of each of its
+/// components, and never changes. What moves is a frame a fragment, fitted to the nodes from time to time:
+/// forces are computed in the axes of the reference, so that a frame is all there is to take anew when a
+/// fragment moves and turns. Displacements from a frame hold the deformation, and what the fragment moved
+/// since the fit: in kStepsPerFit steps of a wave's travel from node to node that is about as many node
+/// distances as its speed is of the speed of sound.
+class ReferenceFrames {
+ public:
+  ReferenceFrames(const Network& network, const Components& components);
+
+  static constexpr std::uint64_t kStepsPerFit = 16;
+
+  /// Fragments were born: they have the frame they came from until the next fit.
+  void noteBirths(const Components& components);
+  /// Fits the frames of all fragments that deform.
+  void fit(const NodeVectors& positions, const Activity& activity);
+
+  /// What a kernel step may point to, until something here changes. Its displacements and velocities are
+  /// scratch that the kernel writes.
+  FloatReference describe(const BondLayout& layout);
+
+  void save(ByteWriter& writer) const { writer.putVector(frames_); }
+  /// False when it cannot have come from save() with so many fragments.
+  static bool read(ByteReader& reader, std::size_t fragments, std::vector<ReferenceFrame>& frames);
+  void restore(std::vector<ReferenceFrame> frames, const Components& components);
+  std::size_t memoryBytes() const;
+
+ private:
+  void nameFrames(const Components& components);
+  Vec3 shapeAt(std::size_t node) const { return shape_.get(node) + remainder_.get(node); }
+
+  FloatNodeVectors shape_;
+  FloatNodeVectors remainder_;  ///< of the shape in double
+  FloatNodeVectors displacement_;
+  FloatNodeVectors velocity_;
+  std::vector<ReferenceFrame> frames_;
+  std::vector<std::uint32_t> frameOfNode_;
+  std::vector<std::uint8_t> mixed_;
+};
+
+}  // namespace sim
