@@ -77,7 +77,7 @@ constexpr LaneTable<float, kSingleWidth> kSingleLaneTable;
 /// The lanes whose bit is set.
 SMITHEREENS_INLINE SingleMask maskOf(unsigned bits) {
 #if defined(__AVX512F__)
-  return SingleMask(static_cast<__mmask16>(bits));
+  return Single(_mm512_maskz_mov_ps(static_cast<__mmask16>(bits), _mm512_set1_ps(1.0F))) > 0.5F;
 #else
   return load(kSingleLaneTable.row[bits]) > 0.5F;
 #endif

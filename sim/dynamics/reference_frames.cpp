@@ -17,24 +17,33 @@ ReferenceFrame frameAt(const Vec3& origin) {
   return frame;
 }
 
-/// The rotation nearest to a sum of products (now)(reference)^T, from one near it: M. Mueller, J. Bender,
-/// N. Chentanez, M. Macklin, "A robust method to extract the rotational part of deformations", MIG 2016.
-/// Where little is left to turn, a frame is good enough: forces do not depend on it but by rounding.
+/// What turns the axes nearer to the polar factor of P, rad: a step of Newton's method where they are near,
+/// and one that is shorter but safe where they are far (M. Mueller, J. Bender, N. Chentanez, M. Macklin, "A
+/// robust method to extract the rotational part of deformations", MIG 2016).
+Vec3 turnTowards(const Eigen::Matrix3d& products, const Eigen::Matrix3d& axes) {
+  constexpr double kNear = 0.3;       // rad
+  constexpr double kFlatness = 1e-9;  // what lies on a line has a turn that does not matter
+  const Eigen::Matrix3d stretch = products * axes.transpose();
+  const Vec3 moment(stretch(2, 1) - stretch(1, 2), stretch(0, 2) - stretch(2, 0),
+                    stretch(1, 0) - stretch(0, 1));
+  const double weight = std::abs(stretch.trace());
+  if (!(weight > 0.0)) return Vec3::Zero();
+  const Eigen::Matrix3d inertia =
+      weight * (1.0 + kFlatness) * Eigen::Matrix3d::Identity() - 0.5 * (stretch + stretch.transpose());
+  const Vec3 newton = inertia.ldlt().solve(moment);
+  return newton.norm() < kNear ? newton : moment / weight;
+}
+
+/// The rotation nearest to a sum of products (now)(reference)^T, from one near it. Where little is left to
+/// turn, a frame is good enough: forces do not depend on it but by rounding.
 RowMajor3 rotationOf(const Eigen::Matrix3d& products, const RowMajor3& near) {
-  constexpr int kMostTurns = 20;
-  constexpr double kLittle = 1e-6;
+  constexpr int kMostTurns = 200;
+  constexpr double kLittle = 1e-4;  // rad; the next Newton step would be its square
   Eigen::Quaterniond turned{Eigen::Matrix3d(near)};
   for (int i = 0; i < kMostTurns; ++i) {
-    const Eigen::Matrix3d axes = turned.toRotationMatrix();
-    Vec3 moment = Vec3::Zero();
-    double weight = 0.0;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      moment += axes.col(k).cross(products.col(k));
-      weight += axes.col(k).dot(products.col(k));
-    }
-    const Vec3 turn = moment / (std::abs(weight) + 1e-300);
+    const Vec3 turn = turnTowards(products, turned.toRotationMatrix());
     const double angle = turn.norm();
-    if (!std::isfinite(angle) || angle < 1e-300) break;
+    if (!std::isfinite(angle) || angle == 0.0) break;
     turned = Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * turned;
     turned.normalize();
     if (angle < kLittle) break;
