@@ -168,7 +168,7 @@ class Stepper {
       0.0;                 ///< s: the next step, unless a break cuts it short; of the leapfrog family, step_
   double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
   std::uint64_t fittedVersion_ = 0;  ///< of the activity, at the last fit of the reference
-  bool latticeCounts_ = true;  ///< in the choice of the step
+  bool latticeCounts_ = true;        ///< in the choice of the step
   static constexpr double kAnyStep = 1.0;
   double toleratedStep_ = kAnyStep;  ///< s: the longest that keeps to the tolerance, as far as it is known
   double largestStrain_ = 0.0;       ///< rms over bonds, the largest so far; with a tolerance only

@@ -10,7 +10,7 @@ namespace sim {
 namespace {
 
 /// Changes with the layout of checkpoints, so that a run is never resumed from one it cannot read.
-constexpr std::uint32_t kCheckpointVersion = 6;
+constexpr std::uint32_t kCheckpointVersion = 7;
 
 const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
                        "resume from an earlier one, or run again"};
@@ -195,10 +195,11 @@ std::size_t Stepper::memoryBytes() const {
   const std::size_t method = startRates_.acceleration.memoryBytes() + endRates_.acceleration.memoryBytes() +
                              (oneStep_ ? oneStep_->memoryBytes() : 0);
   const std::size_t reference = reference_ ? reference_->memoryBytes() : 0;
-  return sizeof(*this) + method + reference + network_.memoryBytes() + layout_.memoryBytes() + breakage_.memoryBytes() +
-         components_.memoryBytes() + fragments_.memoryBytes() + contacts_.memoryBytes() + motion +
-         inverseMasses_.capacity() * sizeof(double) + reports_.capacity() * sizeof(BlockReport) +
-         forces_.touched.capacity() + events_.capacity() * sizeof(BreakEvent);
+  return sizeof(*this) + method + reference + network_.memoryBytes() + layout_.memoryBytes() +
+         breakage_.memoryBytes() + components_.memoryBytes() + fragments_.memoryBytes() +
+         contacts_.memoryBytes() + motion + inverseMasses_.capacity() * sizeof(double) +
+         reports_.capacity() * sizeof(BlockReport) + forces_.touched.capacity() +
+         events_.capacity() * sizeof(BreakEvent);
 }
 
 }  // namespace sim

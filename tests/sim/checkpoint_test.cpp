@@ -35,18 +35,19 @@ Ending endingOf(const sim::Simulation& simulation) {
 
 TEST_CASE("a run resumed from any step ends like the unbroken one, bit for bit") {
   const std::uint64_t seed = GENERATE(1, 2, 3);
-  const auto whole = tests::crash({.seed = seed});
+  const auto precision = GENERATE(sim::Precision::float64, sim::Precision::float32);
+  const auto whole = tests::crash({.seed = seed, .precision = precision});
   tests::run(*whole, kUntil);
   const Ending expected = endingOf(*whole);
   REQUIRE(whole->brokenBondCount() > 50);
   REQUIRE(expected.fragments > 3);
   for (std::uint64_t k = 0; k < 8; ++k) {
-    const auto first = tests::crash({.seed = seed});
+    const auto first = tests::crash({.seed = seed, .precision = precision});
     const std::uint64_t cut = draw(seed, k, expected.steps);
     for (std::uint64_t n = 0; n < cut; ++n) REQUIRE(first->stepOnce().ok());
     const std::vector<std::byte> checkpoint = first->checkpoint();
 
-    const auto resumed = tests::crash({.threads = 2, .seed = seed});
+    const auto resumed = tests::crash({.threads = 2, .seed = seed, .precision = precision});
     REQUIRE(resumed->restore(checkpoint).ok());
     CHECK(resumed->stateHash() == first->stateHash());
     CHECK(resumed->time() == first->time());

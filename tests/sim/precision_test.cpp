@@ -65,7 +65,7 @@ TEST_CASE("forces in float are right to 1e-5 of the break extension, however a p
   const double distance = GENERATE(0.0, 10.0, 1000.0);
   const std::uint64_t seed = GENERATE(1, 2, 3);
   const sim::Network network = bars();
-  const sim::BondLayout layout(network, sim::Precision::float32);
+  const sim::BondLayout layout(network, {}, sim::Precision::float32);
   REQUIRE_FALSE(layout.hasExact());
   const sim::Components components(network, layout);
   REQUIRE(components.births().size() == 2);

@@ -218,6 +218,7 @@ TEST_CASE("when frames are asked for does not show in what sleeps or flies") {
 TEST_CASE("a run that sleeps or flies resumes bit for bit, on any number of threads") {
   const double cut = GENERATE(0.02, 0.3, 1.0);
   sim::Settings settings = withSkips(true);
+  settings.precision = GENERATE(sim::Precision::float64, sim::Precision::float32);
   const auto whole = tests::simulation(tests::twoBlocks(cube(3.0), 0.3, 20.0), settings, dampedFloor());
   tests::run(*whole, cut);
   const auto checkpoint = whole->checkpoint();

@@ -11,6 +11,7 @@ struct CrashOptions {
   std::uint64_t seed = 1;
   sim::Method method = sim::Settings{}.method;
   std::optional<double> tolerance = {};
+  sim::Precision precision = sim::Settings{}.precision;
 };
 
 /// A brittle block falls onto a plastic one that lies on a moving floor, while gravity and stiffness are
