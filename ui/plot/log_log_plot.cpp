@@ -73,9 +73,11 @@ Range rangeOf(const LogLogPlot& plot, std::size_t axis) {
 /// 0.01 as it is, 1e-5 as a power.
 QString tickText(double value) {
   if (value >= 9.9e-4 && value < 9.9e3) return QString::number(value, 'g', 3);
-  const int power = static_cast<int>(std::lround(std::log10(value)));
+  const int power = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  const auto times = static_cast<int>(std::lround(value / std::pow(10.0, power)));
   static const QString digits = QString::fromUtf8("⁰¹²³⁴⁵⁶⁷⁸⁹");
-  QString text = QStringLiteral("10") + (power < 0 ? QString::fromUtf8("⁻") : QString());
+  QString text = times == 1 ? QString() : QString::number(times) + QString::fromUtf8("·");
+  text += QStringLiteral("10") + (power < 0 ? QString::fromUtf8("⁻") : QString());
   for (const QChar digit : QString::number(std::abs(power))) text += digits[digit.digitValue()];
   return text;
 }
