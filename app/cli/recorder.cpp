@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
+
+#include "sim/take/frame_times.h"
 
 namespace app {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 /// A resumed run repeats at most this many frames; a checkpoint is about as large as a frame in double
 /// precision.
 constexpr std::uint64_t kFramesPerCheckpoint = 12;
-
-/// A step counts as at a frame's time within this share of itself, because sums of steps are rounded. A
-/// little more than what the simulation itself allows, so that a frame it has reached is never asked for
-/// again.
-constexpr double kTimeSlack = 2e-6;
 
 double wallClock() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -57,7 +53,7 @@ sim::Status Recorder::run(double until, const Watcher& watcher) {
 }
 
 sim::Status Recorder::advance(double until, const Watcher& watcher) {
-  const auto ended = [&] { return simulation_.time() >= until - kTimeSlack * simulation_.step(); };
+  const auto ended = [&] { return sim::hasReached(simulation_.time(), simulation_.step(), until); };
   while (!ended()) {
     const double target = std::min(nextFrameTime(), until);
     if (const sim::Status status = simulation_.advanceTo(target); !status) return status;
@@ -68,8 +64,7 @@ sim::Status Recorder::advance(double until, const Watcher& watcher) {
 }
 
 double Recorder::nextFrameTime() const {
-  const double now = simulation_.time() + kTimeSlack * simulation_.step();
-  return (std::floor(now * framesPerSecond_) + 1.0) / framesPerSecond_;
+  return sim::nextFrameTime(simulation_.time(), simulation_.step(), framesPerSecond_);
 }
 
 sim::Status Recorder::record(bool last) {

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+#include <filesystem>
+#include <functional>
+
+#include "modeling/scene/scene.h"
+
+namespace ui {
+
+/// The scene that is edited, its undo history and its file. Lives in the window's thread.
+///
+/// Everything that changes the scene passes through edit() (or loads another scene by reset()), so that all
+/// of it can be undone, saved, rebuilt and shown. Selection, camera and the moment that is shown are no
+/// edits.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  using Change = std::function<void(modeling::Scene&)>;
+
+  explicit Document(QObject* parent = nullptr);
+
+  const modeling::Scene& scene() const { return scene_; }
+  QUndoStack& undoStack() { return undoStack_; }
+  /// Where it was loaded from or last saved to; empty: nowhere yet.
+  const std::filesystem::path& file() const { return file_; }
+  /// Where files that the scene names are looked for.
+  std::filesystem::path folder() const { return file_.empty() ? baseFolder_ : file_.parent_path(); }
+  /// The scene differs from its file.
+  bool isModified() const { return !undoStack_.isClean(); }
+  /// What to call it: the scene's name, else its file's, else "Untitled".
+  QString title() const;
+
+  /// Makes one undoable step of a change, named as in "Undo NAME". A change that leaves the scene equal
+  /// leaves nothing behind. Successive edits with the same gesture (any text but "") become one step until
+  /// endGesture() or another edit: so a drag is undone as a whole, and vanishes when it ends where it began.
+  void edit(const QString& name, const Change& change, const QString& gesture = {});
+  void endGesture() { gesture_.clear(); }
+
+  /// Another scene: forgets the history. `file` is where it came from; empty for a new one, whose own files
+  /// are looked for in `baseFolder`.
+  void reset(modeling::Scene scene, std::filesystem::path file, std::filesystem::path baseFolder = {});
+  /// Writes it, in one step or not at all; the history stays, and remembers this state as the saved one.
+  sim::Status saveTo(const std::filesystem::path& file);
+  /// A recovered scene counts as unsaved.
+  void markUnsaved() { undoStack_.resetClean(); }
+
+ signals:
+  /// The scene is another than before: edited, undone, redone or loaded.
+  void sceneChanged();
+  /// Another document altogether; comes before sceneChanged().
+  void replaced();
+  /// File, title or whether it is modified.
+  void statusChanged();
+
+ private:
+  friend class EditCommand;
+  void setScene(const modeling::Scene& scene);
+
+  modeling::Scene scene_;
+  std::filesystem::path file_;
+  std::filesystem::path baseFolder_;
+  QUndoStack undoStack_;
+  QString gesture_;
+};
+
+}  // namespace ui

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "modeling/scene/scene.h"
+#include "sim/take/take.h"
+
+namespace ui {
+
+/// What is known of a recorded frame without fetching it; what timeline and plots are drawn from.
+struct FrameNote {
+  double time = 0.0;              ///< s
+  std::uint32_t breaks = 0;       ///< bonds broken since the frame before
+  std::uint32_t brokenBonds = 0;  ///< in all
+  std::uint32_t fragments = 0;    ///< of more than one node
+  double realTimeFactor = 0.0;    ///< simulated seconds a second of the clock, while it was made; 0: unknown
+  std::uint64_t bondsEvaluated = 0;  ///< since the frame before; 0: unknown
+  std::uint64_t bondsSkipped = 0;    ///< likewise
+  sim::LedgerRow ledger;
+};
+
+/// One take as the window sees it: frames that a run adds and anyone looks at. Shared by threads: every
+/// function may be called from any of them, and none waits for a step or, but for frame() and events(), for
+/// the disk.
+///
+/// New frames stay in memory while there is room and stand in the take's file as well; the oldest are dropped
+/// from memory first and read from the file when asked for again.
+class Footage {
+ public:
+  /// Frames in memory, all takes together, take at most about this much.
+  static constexpr std::size_t kMemoryBudget = std::size_t{1} << 30;
+
+  /// Of a run that begins. `file` is where its frames are being written; may not exist yet.
+  Footage(std::shared_ptr<const sim::Network> network, modeling::Scene scene, std::filesystem::path file);
+  ~Footage();
+  Footage(const Footage&) = delete;
+  Footage& operator=(const Footage&) = delete;
+
+  /// Of a file. Its notes are gathered by readNotes(), until when they have times only.
+  static sim::Result<std::shared_ptr<Footage>> open(const std::filesystem::path& file);
+
+  const std::shared_ptr<const sim::Network>& network() const { return network_; }
+  const std::filesystem::path& file() const { return file_; }
+  /// As it was run: what was performed while it ran is in it.
+  modeling::Scene scene() const;
+  void setScene(modeling::Scene scene);
+
+  std::size_t frameCount() const;
+  double duration() const;  ///< s: time of the last frame; 0 where there is none
+  FrameNote note(std::size_t frame) const;
+  std::vector<FrameNote> notes(std::size_t from = 0) const;
+  /// The newest frame at or before a time; 0 where all are later.
+  std::size_t frameAt(double time) const;
+  /// s: when the first bond broke; nothing where none did, or it is not known yet.
+  std::optional<double> firstBreak() const;
+
+  /// In memory, or null.
+  sim::SnapshotPointer held(std::size_t frame) const;
+  /// Reads it from the file where it is not held, which may take long. A Problem where it cannot be read.
+  sim::Result<sim::SnapshotPointer> frame(std::size_t frame);
+  /// Of all frames so far, in order.
+  sim::Result<std::vector<sim::BreakEvent>> events();
+
+  void append(sim::SnapshotPointer frame, const FrameNote& note, std::vector<sim::BreakEvent> events);
+  /// Reads what notes lack from the file, a frame a call; false when there is no more to do.
+  bool readNextNote();
+
+ private:
+  struct Entry {
+    FrameNote note;
+    bool noted = false;
+    sim::SnapshotPointer held;
+  };
+  sim::Result<std::shared_ptr<const sim::TakeReader>> reader(std::size_t frame);
+  void makeRoom();
+
+  std::shared_ptr<const sim::Network> network_;
+  const std::filesystem::path file_;
+  mutable std::mutex mutex_;  ///< of all below; held for moments only
+  modeling::Scene scene_;
+  std::vector<Entry> entries_;
+  std::vector<sim::BreakEvent> events_;  ///< of frames that were appended here
+  std::size_t nextHeld_ = 0;             ///< the oldest frame that may be held
+  std::size_t frameBytes_ = 0;           ///< of one frame in memory, about
+  std::size_t notesRead_ = 0;
+  bool fromFile_ = false;
+  std::mutex readerMutex_;  ///< of reader_; held while a file is opened
+  std::shared_ptr<const sim::TakeReader> reader_;
+};
+
+}  // namespace ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "ui/session/run.h"
+
+namespace ui {
+
+/// The thread that owns the simulation. The window gives it orders and reads views; neither ever waits for
+/// the other: orders are taken between two steps, and a view is a pointer to something that never changes.
+///
+/// Every function may be called from any thread and returns at once. No lock is held across a step.
+class Worker {
+ public:
+  Worker();
+  /// Asks the thread to end and waits for it a moment. A step or a preparation that takes longer is left
+  /// alone: it ends by itself or with the program, and the take is whole up to its last frame either way.
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Ends the present run, keeping what it recorded, and begins this one. Answers its number.
+  std::uint64_t start(RunPlan plan);
+  void setPaused(bool paused);
+  /// One step, or to the next frame, of a paused run.
+  void stepOnce();
+  void stepFrame();
+  /// Ends the run; what was recorded is kept.
+  void stop();
+  void setPace(const Pace& pace);
+  /// Acts from the next step on, and is listed in RunView::performed with the moment it got.
+  void perform(const modeling::TargetName& target, const std::variant<double, sim::Vec3>& value);
+  /// Lets an invisible collider come, go along a path and vanish; times of the path count from the next step.
+  void performCollider(const modeling::SceneCollider& prototype, std::vector<modeling::SceneTrackKey> path);
+
+  std::shared_ptr<const RunView> view() const;
+
+ private:
+  class Thread;
+  std::shared_ptr<Thread> thread_;  ///< shared with the thread itself, which may outlive this
+  std::jthread runner_;
+};
+
+}  // namespace ui
