@@ -1,6 +1,8 @@
 #include "ui/session/session.h"
 
 #include <QDateTime>
+
+#include "modeling/scene/scene_file.h"
 #include <algorithm>
 
 namespace ui {
@@ -13,7 +15,7 @@ constexpr int kTickMilliseconds = 16;
 bool movesAlike(modeling::Scene left, modeling::Scene right) {
   left.view = right.view;
   left.name = right.name;
-  return withoutPresets(std::move(left)) == withoutPresets(std::move(right));
+  return modeling::withoutPresets(std::move(left)) == modeling::withoutPresets(std::move(right));
 }
 
 }  // namespace
