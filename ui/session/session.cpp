@@ -24,8 +24,8 @@ Session::Session(std::filesystem::path takesFolder, QObject* parent)
     : QObject(parent),
       takesFolder_(std::move(takesFolder)),
       selection_(document_),
-      preview_(builder_.newest()),
-      run_(worker_.view()) {
+      preview_(std::make_shared<const Preview>()),
+      run_(std::make_shared<const RunView>()) {
   connect(&document_, &Document::sceneChanged, this, &Session::rebuild);
   connect(&document_, &Document::replaced, this, [this] {
     worker_.stop();
