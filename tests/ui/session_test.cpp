@@ -1,0 +1,156 @@
+#include "ui/session/session.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <functional>
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using modeling::Scene;
+
+/// A small slab that falls on a floor and lies there.
+Scene fallingSlab() {
+  Scene scene;
+  modeling::SceneMaterial material;
+  material.name = "rubber";
+  material.values.name = "rubber";
+  material.values.youngsModulus = 1e7;
+  scene.materials.push_back(material);
+  modeling::Part part;
+  part.name = "slab";
+  part.material = "rubber";
+  part.shape = modeling::SlabShape{sim::Vec3(3.0, 3.0, 1.0), {1.0, {}}};
+  part.worldFromPart.position.z() = 1.0;
+  scene.parts.push_back(part);
+  modeling::SceneCollider floor;
+  floor.name = "floor";
+  floor.form = modeling::FloorShape{};
+  scene.environment.colliders.push_back(floor);
+  scene.output = {100.0, 0.1};
+  return scene;
+}
+
+/// Waits for other threads, with the event loop running; a minute is for machines under a sanitizer.
+bool becomesTrue(const std::function<bool()>& condition) {
+  return QTest::qWaitFor(condition, 60000);
+}
+
+bool isDone(const ui::Session& session) {
+  return session.run()->phase == ui::RunPhase::done;
+}
+
+struct Fixture {
+  QTemporaryDir folder;
+  ui::Session session{std::filesystem::path(folder.path().toStdString())};
+
+  void simulateToEnd() {
+    session.simulate();
+    REQUIRE(becomesTrue([&] { return isDone(session); }));
+  }
+};
+
+TEST_CASE("A scene is built by itself and shown at rest") {
+  Fixture fixture;
+  fixture.session.document().reset(fallingSlab(), {});
+  REQUIRE(becomesTrue([&] { return fixture.session.shown().moment != nullptr; }));
+  CHECK(fixture.session.shown().network->nodeCount() == 32);
+  CHECK_FALSE(fixture.session.shown().recorded);
+}
+
+TEST_CASE("A run records all its frames, which can be looked at in any order") {
+  Fixture fixture;
+  ui::Session& session = fixture.session;
+  session.document().reset(fallingSlab(), {});
+  fixture.simulateToEnd();
+  REQUIRE(session.takes().size() == 1);
+  const std::shared_ptr<ui::Footage> footage = session.takes()[0].footage;
+  REQUIRE(footage->frameCount() == 11);
+  for (const std::size_t frame : {std::size_t{7}, std::size_t{0}, std::size_t{10}, std::size_t{3}}) {
+    session.playback().seek(frame);
+    REQUIRE(becomesTrue([&] { return session.shown().moment->time == footage->note(frame).time; }));
+    CHECK(session.shown().recorded);
+  }
+  // What memory and file hold is the same.
+  const auto file = ui::Footage::open(footage->file());
+  REQUIRE(file);
+  for (std::size_t frame = 0; frame < footage->frameCount(); ++frame) {
+    const auto read = (*file)->frame(frame);
+    REQUIRE(read);
+    CHECK((*read)->stepCount == footage->held(frame)->stepCount);
+    CHECK((*read)->time == footage->held(frame)->time);
+  }
+}
+
+TEST_CASE("A take is stale once the scene moves otherwise, and fresh again after undo") {
+  Fixture fixture;
+  ui::Session& session = fixture.session;
+  session.document().reset(fallingSlab(), {});
+  fixture.simulateToEnd();
+  CHECK_FALSE(session.takes()[0].stale);
+  session.document().edit("Camera", [](Scene& scene) { scene.view.camera = modeling::Camera{}; });
+  CHECK_FALSE(session.takes()[0].stale);
+  session.document().edit("Gravity", [](Scene& scene) { scene.environment.gravity.z() = -100.0; });
+  CHECK(session.takes()[0].stale);
+  session.document().undoStack().undo();
+  CHECK_FALSE(session.takes()[0].stale);
+}
+
+TEST_CASE("A run can be paused, stepped and stopped, and keeps what it recorded") {
+  Fixture fixture;
+  ui::Session& session = fixture.session;
+  Scene scene = fallingSlab();
+  scene.output.duration = 1000.0;
+  session.document().reset(scene, {});
+  session.simulate();
+  REQUIRE(becomesTrue([&] { return session.run()->footage && session.run()->footage->frameCount() > 3; }));
+  session.pauseRun(true);
+  REQUIRE(becomesTrue([&] { return session.run()->phase == ui::RunPhase::paused; }));
+  const std::uint64_t steps = session.run()->newest->stepCount;
+  session.stepRun();
+  REQUIRE(becomesTrue([&] { return session.run()->newest->stepCount == steps + 1; }));
+  const std::size_t frames = session.run()->footage->frameCount();
+  session.stepRunToFrame();
+  REQUIRE(becomesTrue([&] { return session.run()->footage->frameCount() == frames + 1; }));
+  session.stopRun();
+  REQUIRE(becomesTrue([&] { return isDone(session); }));
+  const auto reader = sim::TakeReader::open(session.takes()[0].footage->file());
+  REQUIRE(reader);
+  CHECK((*reader)->frameCount() == frames + 1);
+  CHECK((*reader)->outcome() == "stopped");
+}
+
+TEST_CASE("A scene that cannot be built says where and why") {
+  Fixture fixture;
+  ui::Session& session = fixture.session;
+  Scene scene = fallingSlab();
+  scene.parts[0].material = "glass";
+  session.document().reset(scene, {});
+  REQUIRE(becomesTrue([&] { return session.preview()->problem.has_value(); }));
+  CHECK(session.preview()->problem->place == "parts[0].material");
+}
+
+TEST_CASE("Ending the program in the middle of a run takes less than a second and leaves a whole take") {
+  QTemporaryDir folder;
+  std::filesystem::path file;
+  QElapsedTimer clock;
+  {
+    ui::Session session{std::filesystem::path(folder.path().toStdString())};
+    Scene scene = fallingSlab();
+    scene.output.duration = 1000.0;
+    session.document().reset(scene, {});
+    session.simulate();
+    REQUIRE(becomesTrue([&] { return session.run()->footage && session.run()->footage->frameCount() > 3; }));
+    file = session.run()->footage->file();
+    clock.start();
+  }
+  CHECK(clock.elapsed() < 1000);
+  const auto reader = sim::TakeReader::open(file);
+  REQUIRE(reader);
+  CHECK((*reader)->frameCount() > 3);
+  CHECK((*reader)->droppedBytes() == 0);
+}
+
+}  // namespace
