@@ -91,6 +91,11 @@ std::vector<FrameNote> Footage::notes(std::size_t from) const {
   return notes;
 }
 
+std::size_t Footage::notedCount() const {
+  const std::lock_guard lock(mutex_);
+  return notedCount_;
+}
+
 std::size_t Footage::frameAt(double time) const {
   const std::lock_guard lock(mutex_);
   const auto after =
@@ -153,6 +158,7 @@ void Footage::append(sim::SnapshotPointer frame, const FrameNote& note, std::vec
   entry.note.breaks = static_cast<std::uint32_t>(events.size());
   entry.note.brokenBonds = countBroken(*frame);
   entry.noted = true;
+  ++notedCount_;
   entry.held = std::move(frame);
   heldBytes += frameBytes_;
   events_.insert(events_.end(), events.begin(), events.end());
@@ -191,6 +197,7 @@ bool Footage::readNextNote() {
   const std::lock_guard lock(mutex_);
   entries_[index].note = note;
   entries_[index].noted = true;
+  ++notedCount_;
   return true;
 }
 

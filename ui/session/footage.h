@@ -56,6 +56,8 @@ class Footage {
   double duration() const;  ///< s: time of the last frame; 0 where there is none
   FrameNote note(std::size_t frame) const;
   std::vector<FrameNote> notes(std::size_t from = 0) const;
+  /// Of how many frames the notes are complete.
+  std::size_t notedCount() const;
   /// The newest frame at or before a time; 0 where all are later.
   std::size_t frameAt(double time) const;
   /// s: when the first bond broke; nothing where none did, or it is not known yet.
@@ -90,6 +92,7 @@ class Footage {
   std::size_t nextHeld_ = 0;             ///< the oldest frame that may be held
   std::size_t frameBytes_ = 0;           ///< of one frame in memory, about
   std::size_t notesRead_ = 0;
+  std::size_t notedCount_ = 0;
   bool fromFile_ = false;
   std::mutex readerMutex_;  ///< of reader_; held while a file is opened
   std::shared_ptr<const sim::TakeReader> reader_;

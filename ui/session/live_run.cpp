@@ -266,6 +266,7 @@ std::shared_ptr<const RunView> LiveRun::newView() {
     view->brokenBonds = simulation_->brokenBondCount();
     view->work = simulation_->work();
     view->memoryBytes = simulation_->memoryBytes();
+    if (phase_ == RunPhase::done) view->stateHash = simulation_->stateHash();
     const double left = view->until - simulation_->time();
     if (realTimeFactor_ > 0.0 && phase_ == RunPhase::running) view->secondsLeft = left / realTimeFactor_;
   }

@@ -37,7 +37,7 @@ class LiveRun {
   void stop();
   void fail(const sim::Problem& problem);
   void setPace(const Pace& pace);
-  void perform(const modeling::TargetName& target, const std::variant<double, sim::Vec3>& value);
+  void perform(const modeling::TargetName& target, const std::vector<modeling::SceneTrackKey>& keys);
   void performCollider(const modeling::SceneCollider& prototype, std::vector<modeling::SceneTrackKey> path);
 
   /// Null where nothing is to be told that the last one did not tell, or it is too early to tell it.

@@ -4,7 +4,7 @@ namespace ui {
 
 void replay(const Performed&, modeling::Scene&) {}
 
-void LiveRun::perform(const modeling::TargetName&, const std::variant<double, sim::Vec3>&) {}
+void LiveRun::perform(const modeling::TargetName&, const std::vector<modeling::SceneTrackKey>&) {}
 
 void LiveRun::performCollider(const modeling::SceneCollider&, std::vector<modeling::SceneTrackKey>) {}
 

@@ -1,8 +1,19 @@
 #include "ui/session/playback.h"
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 namespace ui {
+namespace {
+
+double secondsOfClock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Playback::Playback(QObject* parent) : Playback(secondsOfClock, parent) {}
 
 void Playback::setFootage(std::shared_ptr<Footage> footage) {
   if (footage == footage_) return;
@@ -15,18 +26,13 @@ void Playback::setFootage(std::shared_ptr<Footage> footage) {
   emit frameChanged();
 }
 
-void Playback::moveTo(double time, std::size_t frame) {
-  time_ = time;
-  if (frame == frame_) return;
-  frame_ = frame;
-  emit frameChanged();
-}
-
 void Playback::seek(std::size_t frame) {
   if (!footage_ || footage_->frameCount() == 0) return;
   const std::size_t last = footage_->frameCount() - 1;
   const std::size_t wanted = std::min(frame, last);
-  moveTo(footage_->note(wanted).time, wanted);
+  time_ = footage_->note(wanted).time;
+  frame_ = wanted;
+  emit frameChanged();
 }
 
 void Playback::seekTime(double time) {
@@ -69,7 +75,7 @@ void Playback::play(int direction) {
     const Range whole = range();
     const bool atEnd = direction > 0 ? time_ >= whole.to : time_ <= whole.from;
     if (atEnd) seekTime(direction > 0 ? whole.from : whole.to);
-    clock_.start();
+    tickedAt_ = clock_();
   }
   emit stateChanged();
 }
@@ -85,8 +91,8 @@ void Playback::tick(bool shown) {
     time = beyond ? (direction_ > 0 ? whole.to + 1.0 : whole.from - 1.0)
                   : footage_->note(static_cast<std::size_t>(next)).time;
   } else {
-    time += direction_ * speed_ * 1e-9 * static_cast<double>(clock_.nsecsElapsed());
-    clock_.start();
+    const double now = clock_();
+    time += direction_ * speed_ * (now - std::exchange(tickedAt_, now));
   }
   if (time > whole.to || time < whole.from) {
     const bool forwards = direction_ > 0;
@@ -97,7 +103,11 @@ void Playback::tick(bool shown) {
     }
     time = forwards ? whole.from : whole.to;
   }
-  moveTo(time, footage_->frameAt(time));
+  time_ = time;
+  const std::size_t frame = footage_->frameAt(time);
+  if (frame == frame_) return;
+  frame_ = frame;
+  emit frameChanged();
 }
 
 }  // namespace ui

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "ui/session/footage.h"
@@ -24,7 +24,11 @@ class Playback : public QObject {
     double to = 0.0;
   };
 
-  explicit Playback(QObject* parent = nullptr) : QObject(parent) {}
+  /// s, ever rising.
+  using Clock = std::function<double()>;
+
+  explicit Playback(QObject* parent = nullptr);
+  Playback(Clock clock, QObject* parent) : QObject(parent), clock_(std::move(clock)) {}
 
   /// The take that is played; null: none. The cursor goes to its start.
   void setFootage(std::shared_ptr<Footage> footage);
@@ -48,7 +52,7 @@ class Playback : public QObject {
 
   Mode mode() const { return mode_; }
   void setMode(Mode mode) { mode_ = mode; }
-  /// Seconds of the clock for one of the take; below 1: slow motion is 0.1, and so on.
+  /// Seconds of the take in one of the clock: below 1 is slow motion.
   double speed() const { return speed_; }
   void setSpeed(double speed) { speed_ = speed; }
   bool loops() const { return loops_; }
@@ -60,12 +64,11 @@ class Playback : public QObject {
   void tick(bool shown);
 
  signals:
-  /// The cursor is on another frame, or on one of another take.
+  /// The cursor is on another frame, on one of another take, or was put where it stands once more.
   void frameChanged();
   void stateChanged();
 
  private:
-  void moveTo(double time, std::size_t frame);
   Range range() const;
 
   std::shared_ptr<Footage> footage_;
@@ -76,7 +79,8 @@ class Playback : public QObject {
   double speed_ = 1.0;
   bool loops_ = false;
   std::optional<Range> range_;
-  QElapsedTimer clock_;
+  Clock clock_;
+  double tickedAt_ = 0.0;  ///< s, of the clock
 };
 
 }  // namespace ui

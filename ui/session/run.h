@@ -72,6 +72,7 @@ struct RunView {
   std::uint64_t brokenBonds = 0;
   sim::Work work;
   std::size_t memoryBytes = 0;
+  std::uint64_t stateHash = 0;       ///< of a run that is done
   std::vector<Performed> performed;  ///< since the start of the run
   std::vector<std::string> notes;    ///< what is allowed but seldom meant
   std::optional<sim::Problem> problem;

@@ -87,7 +87,9 @@ void Session::takeView(const std::shared_ptr<const RunView>& view) {
       takeListed_ = true;
       takes_.push_back({nextTakeName_, {}, view->footage, {}, false, nextContinuedAt_});
       currentTake_ = takes_.size() - 1;
+      listing_ = true;  // the new take's start is not what the person asked to see
       playback_.setFootage(view->footage);
+      listing_ = false;
       emit takesChanged();
     }
     recordPerformed(*view);
@@ -146,7 +148,7 @@ void Session::followRun() {
 void Session::showFrame() {
   const std::shared_ptr<Footage>& footage = playback_.footage();
   if (!footage || footage->frameCount() == 0) return;
-  if (following_ && playback_.frame() == 0 && hasRun()) return;
+  if (listing_) return;
   following_ = false;
   const std::size_t frame = playback_.frame();
   if (sim::SnapshotPointer moment = footage->held(frame)) {
@@ -316,8 +318,8 @@ sim::Status Session::saveTake(std::size_t take, const std::filesystem::path& fil
                       "choose another folder, or make room"};
 }
 
-void Session::perform(const modeling::TargetName& target, const std::variant<double, sim::Vec3>& value) {
-  if (hasRun()) worker_.perform(target, value);
+void Session::perform(const modeling::TargetName& target, std::vector<modeling::SceneTrackKey> keys) {
+  if (hasRun()) worker_.perform(target, std::move(keys));
 }
 
 void Session::performCollider(const modeling::SceneCollider& prototype,

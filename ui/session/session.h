@@ -97,8 +97,9 @@ class Session : public QObject {
   /// What is performed becomes keys of the scene's tracks.
   bool records() const { return recording_; }
   void setRecords(bool records) { recording_ = records; }
-  /// While it runs, from the next step on; else an edit of the scene's start value.
-  void perform(const modeling::TargetName& target, const std::variant<double, sim::Vec3>& value);
+  /// While there is a run, from its next step on, from which the times of the keys count; each value holds
+  /// until the next. Nothing happens where there is no run.
+  void perform(const modeling::TargetName& target, std::vector<modeling::SceneTrackKey> keys);
   void performCollider(const modeling::SceneCollider& prototype, std::vector<modeling::SceneTrackKey> path);
 
   /// Something to tell the person that no place of its own is made for.
@@ -138,6 +139,7 @@ class Session : public QObject {
   std::uint64_t currentRun_ = 0;   ///< the one last started
   std::size_t performedSeen_ = 0;  ///< of the current run
   bool takeListed_ = false;        ///< of the current run
+  bool listing_ = false;           ///< this very moment
   QString nextTakeName_;
   std::optional<double> nextContinuedAt_;
   std::optional<std::size_t> frameAsked_;  ///< of the loader

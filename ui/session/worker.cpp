@@ -162,9 +162,9 @@ void Worker::setPace(const Pace& pace) {
   });
 }
 
-void Worker::perform(const modeling::TargetName& target, const std::variant<double, sim::Vec3>& value) {
-  thread_->post([target, value](Thread& thread) {
-    if (thread.run() != nullptr) thread.run()->perform(target, value);
+void Worker::perform(const modeling::TargetName& target, std::vector<modeling::SceneTrackKey> keys) {
+  thread_->post([target, keys = std::move(keys)](Thread& thread) {
+    if (thread.run() != nullptr) thread.run()->perform(target, keys);
   });
 }
 

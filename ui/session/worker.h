@@ -34,8 +34,9 @@ class Worker {
   /// Ends the run; what was recorded is kept.
   void stop();
   void setPace(const Pace& pace);
-  /// Acts from the next step on, and is listed in RunView::performed with the moment it got.
-  void perform(const modeling::TargetName& target, const std::variant<double, sim::Vec3>& value);
+  /// Acts from the next step on, and is listed in RunView::performed with the moments it got. Times of the
+  /// keys ascend and count from that step; each value holds until the next.
+  void perform(const modeling::TargetName& target, std::vector<modeling::SceneTrackKey> keys);
   /// Lets an invisible collider come, go along a path and vanish; times of the path count from the next step.
   void performCollider(const modeling::SceneCollider& prototype, std::vector<modeling::SceneTrackKey> path);
 
