@@ -10,8 +10,8 @@ namespace ui {
 
 class Session;
 
-/// What is known of the frames of the take on the timeline, kept up to date while frames are added and while a
-/// take that was opened is looked through. What is drawn along the time is drawn from this.
+/// What is known of the frames of the take on the timeline, kept up to date while frames are added and while
+/// a take that was opened is looked through. What is drawn along the time is drawn from this.
 class NoteFeed : public QObject {
   Q_OBJECT
 

@@ -172,7 +172,8 @@ void PlayActions::showSimulate() {
   if (shownPhase_ == phase) return;
   shownPhase_ = phase;
   const bool paused = phase == RunPhase::paused;
-  const QString shortcut = QStringLiteral("  (%1)").arg(simulate->shortcut().toString(QKeySequence::NativeText));
+  const QString shortcut =
+      QStringLiteral("  (%1)").arg(simulate->shortcut().toString(QKeySequence::NativeText));
   if (phase == RunPhase::running || phase == RunPhase::preparing) {
     simulate->setText(tr("Pause"));
     simulate->setIcon(Theme::icon(QStringLiteral("pause")));
@@ -192,10 +193,11 @@ bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(watched, event);
   const auto* key = static_cast<QKeyEvent*>(event);
   const bool moves = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right;
-  const bool wanted =
-      qobject_cast<QAbstractItemView*>(watched) != nullptr || qobject_cast<QAbstractSlider*>(watched) != nullptr ||
-      qobject_cast<QAbstractSpinBox*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr ||
-      qobject_cast<QTabBar*>(watched) != nullptr;
+  const bool wanted = qobject_cast<QAbstractItemView*>(watched) != nullptr ||
+                      qobject_cast<QAbstractSlider*>(watched) != nullptr ||
+                      qobject_cast<QAbstractSpinBox*>(watched) != nullptr ||
+                      qobject_cast<QComboBox*>(watched) != nullptr ||
+                      qobject_cast<QTabBar*>(watched) != nullptr;
   if (!moves || !wanted) return QObject::eventFilter(watched, event);
   event->accept();
   return true;

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// Which stretch of time lies across the timeline, and where in it each moment is. Shared by all that is drawn
-/// along it. Times in s, places in logical pixels from the left of the stretch.
+/// Which stretch of time lies across the timeline, and where in it each moment is. Shared by all that is
+/// drawn along it. Times in s, places in logical pixels from the left of the stretch.
 class TimeAxis : public QObject {
   Q_OBJECT
 

@@ -1,5 +1,6 @@
 #include "ui/timeline/time_bar.h"
 
+#include <QFontMetricsF>
 #include <QHelpEvent>
 #include <QMenu>
 #include <QMouseEvent>
@@ -87,7 +88,9 @@ void TimeBar::recount() {
 void TimeBar::growFilm(std::size_t from) {
   countBreaks(from);
   const std::vector<FrameNote>& notes = feed_.notes();
-  const auto isMost = [&](const FrameNote& note) { return note.breaks == feed_.mostBreaks() && note.breaks > 0; };
+  const auto isMost = [&](const FrameNote& note) {
+    return note.breaks == feed_.mostBreaks() && note.breaks > 0;
+  };
   const auto first = notes.begin() + static_cast<std::ptrdiff_t>(from);
   if (from == 0 || std::any_of(first, notes.end(), isMost)) {
     update();

@@ -12,8 +12,8 @@ class PlayActions;
 class Session;
 class TimeAxis;
 
-/// The ruler and the take under it: what is recorded, where bonds broke, the loop range, and the cursor, which
-/// follows the pointer while the left button is down.
+/// The ruler and the take under it: what is recorded, where bonds broke, the loop range, and the cursor,
+/// which follows the pointer while the left button is down.
 class TimeBar : public QWidget {
   Q_OBJECT
 

@@ -51,15 +51,15 @@ void TimeBar::paintHeader(QPainter& painter) {
   painter.setFont(strong);
   double room = upper.width();
   if (stale) room -= 50;
-  painter.drawText(upper, Qt::AlignVCenter,
-                   QFontMetricsF(strong).elidedText(name, Qt::ElideRight, room));
+  painter.drawText(upper, Qt::AlignVCenter, QFontMetricsF(strong).elidedText(name, Qt::ElideRight, room));
   painter.setFont(font());
   if (stale) {
     painter.setPen(colours.warning);
     painter.drawText(upper, Qt::AlignVCenter | Qt::AlignRight, tr("changed"));
   }
   painter.setPen(colours.dimText);
-  painter.drawText(QRectF(10, kFilmTop, kTimelineHeader - 20, kFilmBottom - kFilmTop), Qt::AlignVCenter, about);
+  painter.drawText(QRectF(10, kFilmTop, kTimelineHeader - 20, kFilmBottom - kFilmTop), Qt::AlignVCenter,
+                   about);
   verticalLine(painter, kTimelineHeader - 0.5, 0, height(), colours.line);
 }
 
@@ -85,7 +85,8 @@ void TimeBar::paintRuler(QPainter& painter, const QRect& dirty) {
 
 void TimeBar::paintLoop(QPainter& painter) {
   const Colours& colours = Theme::instance().colours();
-  painter.fillRect(QRectF(kTimelineHeader, 0, width(), kLoopHeight), mixed(colours.window, colours.field, 0.6));
+  painter.fillRect(QRectF(kTimelineHeader, 0, width(), kLoopHeight),
+                   mixed(colours.window, colours.field, 0.6));
   const auto& range = session_.playback().loopRange();
   if (!range) return;
   const double from = xOf(range->from);
@@ -164,8 +165,11 @@ void TimeBar::paintCursor(QPainter& painter) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(colours.text);
   const double x = shownCursor_;
-  const QPointF head[] = {{x - 5, kLoopHeight + 1}, {x + 5, kLoopHeight + 1}, {x + 5, kLoopHeight + 6},
-                          {x, kLoopHeight + 12},    {x - 5, kLoopHeight + 6}};
+  const QPointF head[] = {{x - 5, kLoopHeight + 1},
+                          {x + 5, kLoopHeight + 1},
+                          {x + 5, kLoopHeight + 6},
+                          {x, kLoopHeight + 12},
+                          {x - 5, kLoopHeight + 6}};
   painter.drawPolygon(head, 5);
   painter.setRenderHint(QPainter::Antialiasing, false);
 }

@@ -32,6 +32,12 @@ void separate(QHBoxLayout& row) {
   row.addSpacing(4);
 }
 
+void openMenu(QToolButton& button, QMenu* menu) {
+  button.setMenu(menu);
+  button.setPopupMode(QToolButton::InstantPopup);
+  button.setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+}
+
 QString speedLabel(double speed) {
   return QStringLiteral("%1\u00d7").arg(QLocale::c().toString(speed, 'g', 3));
 }
@@ -74,8 +80,9 @@ QToolButton* Transport::button(QHBoxLayout& row, QAction* action) {
   return made;
 }
 
-void Transport::addButton(QAction* action) {
-  button(*end_, action);
+void Transport::addButton(QAction* action, QMenu* menu) {
+  QToolButton* made = button(*end_, action);
+  if (menu != nullptr) openMenu(*made, menu);
 }
 
 void Transport::makeButtons(QHBoxLayout& row) {
@@ -84,9 +91,9 @@ void Transport::makeButtons(QHBoxLayout& row) {
   simulate->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   simulate->setMinimumWidth(104);
   simulate->setFixedHeight(kFieldHeight + 2);
-  simulate->setStyleSheet(
-      QStringLiteral("QToolButton { background: palette(button); border: 1px solid palette(mid); padding: 2px 8px; }"
-                     "QToolButton:hover, QToolButton:focus { border-color: palette(highlight); }"));
+  simulate->setStyleSheet(QStringLiteral(
+      "QToolButton { background: palette(button); border: 1px solid palette(mid); padding: 2px 8px; }"
+      "QToolButton:hover, QToolButton:focus { border-color: palette(highlight); }"));
   button(row, actions_.stop);
   button(row, actions_.record);
   separate(row);
@@ -99,9 +106,7 @@ void Transport::makeButtons(QHBoxLayout& row) {
   auto* menu = new QMenu(go);
   menu->addAction(actions_.continueAsWas);
   menu->addAction(actions_.continueChanged);
-  go->setMenu(menu);
-  go->setPopupMode(QToolButton::InstantPopup);
-  go->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+  openMenu(*go, menu);
   go->setToolTip(tr("Continue from this frame, as a new take"));
 }
 
@@ -116,7 +121,8 @@ void Transport::makeFields(QHBoxLayout& row) {
   frame_->setToolTip(tr("Frame shown, counted from 0"));
   frameCount_ = new QLabel(this);
   frameCount_->setFont(Theme::numberFont(-0.5));
-  for (QAbstractSpinBox* field : {static_cast<QAbstractSpinBox*>(time_), static_cast<QAbstractSpinBox*>(frame_)}) {
+  for (QAbstractSpinBox* field :
+       {static_cast<QAbstractSpinBox*>(time_), static_cast<QAbstractSpinBox*>(frame_)}) {
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     field->setFont(Theme::numberFont(-0.5));
     field->setAlignment(Qt::AlignRight);
@@ -183,7 +189,9 @@ void Transport::showMoment() {
   const QSignalBlocker frameBlocker(frame_);
   const double end = footage ? footage->duration() : 0.0;
   time_->setRange(0.0, std::max(end, session_.run()->until));
-  time_->setValue(live ? session_.shown().moment->time : count > 0 ? footage->note(playback.frame()).time : 0.0);
+  time_->setValue(live        ? session_.shown().moment->time
+                  : count > 0 ? footage->note(playback.frame()).time
+                              : 0.0);
   frame_->setRange(0, count > 0 ? static_cast<int>(count) - 1 : 0);
   frame_->setValue(static_cast<int>(live ? count - 1 : playback.frame()));
   frameCount_->setText(QStringLiteral("/ %1").arg(count > 0 ? count - 1 : 0));

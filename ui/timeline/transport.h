@@ -7,6 +7,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QSpinBox;
 class QToolButton;
@@ -24,7 +25,7 @@ class Transport : public QWidget {
   Transport(Session& session, PlayActions& actions, QWidget* parent = nullptr);
 
   /// At its right end, such as what opens the tracks.
-  void addButton(QAction* action);
+  void addButton(QAction* action, QMenu* menu = nullptr);
 
  private:
   void makeButtons(QHBoxLayout& row);

@@ -1,5 +1,7 @@
 #include "ui/window/main_window.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
@@ -9,6 +11,8 @@
 #include <QToolBar>
 
 #include "ui/theme/theme.h"
+#include "ui/timeline/play_actions.h"
+#include "ui/timeline/timeline.h"
 #include "ui/viewport/viewport.h"
 
 namespace ui {
@@ -34,7 +38,18 @@ void MainWindow::makeCentre() {
   setCentralWidget(viewport_);
 }
 
-void MainWindow::makeDocks() {}
+void MainWindow::makeDocks() {
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  playActions_ = new PlayActions(session_, this);
+  addActions(playActions_->findChildren<QAction*>(Qt::FindDirectChildrenOnly));
+  qApp->installEventFilter(new KeysOfFocus(this));
+  auto* timeline = new Timeline(session_, *playActions_, this);
+  QDockWidget* dock = addDock(QStringLiteral("timeline"), tr("Timeline"), timeline, Qt::BottomDockWidgetArea);
+  // It has no name to show and nowhere better to be; its room is for the time.
+  dock->setTitleBarWidget(new QWidget(dock));
+  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+}
 void MainWindow::makeMenus() {}
 void MainWindow::makeToolBar() {}
 

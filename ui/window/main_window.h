@@ -12,6 +12,7 @@ class QToolBar;
 
 namespace ui {
 
+class PlayActions;
 class Viewport;
 
 /// The window: menus, bars, docks around the viewport. What it shows and does is the session's.
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
 
   Session& session_;
   Viewport* viewport_ = nullptr;
+  PlayActions* playActions_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

@@ -1,0 +1,82 @@
+#include "ui/timeline/key_popup.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QKeyEvent>
+#include <algorithm>
+
+#include "ui/document/document.h"
+#include "ui/theme/theme.h"
+
+namespace ui {
+
+KeyPopup::KeyPopup(Document& document, std::size_t track, std::size_t key, QWidget* parent)
+    : QFrame(parent, Qt::Popup), document_(document), track_(track), key_(key) {
+  setObjectName(QStringLiteral("keyPopup"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setFrameShape(QFrame::StyledPanel);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(10, 10, 10, 10);
+  form->setSpacing(6);
+  const modeling::SceneTrack& found = document_.scene().tracks.at(track_);
+  const modeling::SceneTrackKey& shown = found.keys.at(key_);
+  time_ = addField(tr("Time"), shown.time, tr(" s"), 5);
+  time_->setMinimum(0.0);
+  const sim::Vec3 value = asVector(shown.value);
+  const QString unit = QStringLiteral(" ") + unitOf(found.target);
+  const QString names[] = {tr("X"), tr("Y"), tr("Z")};
+  for (std::size_t c = 0; c < componentsOf(found.target); ++c) {
+    const bool single = !found.target.isVector();
+    QDoubleSpinBox* field =
+        addField(single ? tr("Value") : names[c], value[static_cast<Eigen::Index>(c)], unit, 4);
+    field->setMinimum(std::max(field->minimum(), leastOf(found.target)));
+    values_.push_back(field);
+  }
+}
+
+QDoubleSpinBox* KeyPopup::addField(const QString& name, double value, const QString& unit, int decimals) {
+  auto* field = new QDoubleSpinBox(this);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setRange(-1e6, 1e6);
+  field->setDecimals(decimals);
+  field->setSuffix(unit);
+  field->setValue(value);
+  field->setFont(Theme::numberFont(-0.5));
+  field->setAlignment(Qt::AlignRight);
+  field->setFixedWidth(130);
+  static_cast<QFormLayout*>(layout())->addRow(name, field);
+  return field;
+}
+
+void KeyPopup::open(const QPoint& globalPosition) {
+  adjustSize();
+  move(globalPosition + QPoint(10, -height() - 6));
+  show();
+  values_.front()->setFocus();
+  values_.front()->selectAll();
+}
+
+void KeyPopup::apply() {
+  document_.edit(tr("Change Key"), [&](modeling::Scene& scene) {
+    modeling::SceneTrack& edited = scene.tracks.at(track_);
+    sim::Vec3 value = asVector(edited.keys.at(key_).value);
+    for (std::size_t c = 0; c < values_.size(); ++c) {
+      // A number nobody touched keeps the digits that are not shown.
+      double& component = value[static_cast<Eigen::Index>(c)];
+      if (qAbs(values_[c]->value() - component) > 0.5e-4) component = values_[c]->value();
+    }
+    edited.keys.at(key_).value = asValue(edited.target, value);
+    if (qAbs(time_->value() - edited.keys[key_].time) > 0.5e-5) moveKey(edited, key_, time_->value());
+  });
+}
+
+void KeyPopup::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    apply();
+    close();
+    return;
+  }
+  QFrame::keyPressEvent(event);
+}
+
+}  // namespace ui
