@@ -1,9 +1,9 @@
 #include "ui/session/session.h"
 
 #include <QDateTime>
+#include <algorithm>
 
 #include "modeling/scene/scene_file.h"
-#include <algorithm>
 
 namespace ui {
 namespace {

@@ -10,7 +10,7 @@
 namespace ui {
 namespace {
 
-QColor colourOf(QIcon::Mode mode, QIcon::State state) {
+QColor colourOf(const QString& name, QIcon::Mode mode, QIcon::State state) {
   const Colours& colours = Theme::instance().colours();
   if (mode == QIcon::Disabled) {
     QColor faint = colours.dimText;
@@ -18,7 +18,9 @@ QColor colourOf(QIcon::Mode mode, QIcon::State state) {
     return faint;
   }
   if (mode == QIcon::Selected) return colours.accentText;
-  return state == QIcon::On ? colours.accent : colours.text;
+  if (state == QIcon::Off) return colours.text;
+  // The lamp of what records is red everywhere.
+  return name == QLatin1String("record") ? colours.bad : colours.accent;
 }
 
 }  // namespace
@@ -30,7 +32,7 @@ void IconEngine::paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, Q
 }
 
 QPixmap IconEngine::pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) {
-  const QColor colour = colourOf(mode, state);
+  const QColor colour = colourOf(name_, mode, state);
   const QString key = QStringLiteral("icon/%1/%2x%3/%4")
                           .arg(name_)
                           .arg(size.width())

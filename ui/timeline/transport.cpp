@@ -165,7 +165,7 @@ void Transport::makeSpeed(QHBoxLayout& row) {
 
 void Transport::makeProgress(QHBoxLayout& row) {
   row.addStretch(1);
-  button(row, actions_.follow);
+  follow_ = button(row, actions_.follow);
   left_ = new QLabel(this);
   left_->setFont(Theme::numberFont(-0.5));
   left_->setContentsMargins(6, 0, 6, 0);
@@ -201,6 +201,7 @@ void Transport::showMoment() {
 
 void Transport::showRun() {
   const bool run = session_.hasRun();
+  follow_->setVisible(run);
   progress_->setVisible(run);
   left_->setVisible(run);
   if (!run) return;

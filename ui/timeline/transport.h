@@ -43,6 +43,7 @@ class Transport : public QWidget {
   QSpinBox* frame_ = nullptr;
   QLabel* frameCount_ = nullptr;
   QComboBox* speed_ = nullptr;
+  QToolButton* follow_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel* left_ = nullptr;
 };
