@@ -1,37 +1,66 @@
 #include <QApplication>
-#include <QDir>
+#include <QCommandLineParser>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
+#include <cstdlib>
+#include <iostream>
 
-#include "modeling/scene/resources.h"
-#include "modeling/scene/scene_file.h"
+#include "ui/files/autosave.h"
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+/// The viewport needs OpenGL 3.3; it says so itself where it does not get it.
+void askForOpenGl() {
   QSurfaceFormat format;
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
   format.setDepthBufferSize(24);
   format.setSamples(4);
   QSurfaceFormat::setDefaultFormat(format);
+}
+
+int run(QApplication& application) {
+  QCommandLineParser arguments;
+  arguments.setApplicationDescription(
+      QApplication::translate("main", "Dishes of nodes and springs that bend and break."));
+  arguments.addHelpOption();
+  arguments.addVersionOption();
+  arguments.addPositionalArgument("file", QApplication::translate("main", "A scene or a take to open."),
+                                  "[FILE]");
+  arguments.process(application);
+
+  const bool light = QSettings().value("theme").toString() == "light";
+  ui::Theme::instance().apply(light ? ui::ThemeKind::light : ui::ThemeKind::dark);
+  const std::filesystem::path root =
+      std::filesystem::path(
+          QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString()) /
+      "sessions";
+  const std::filesystem::path folder = ui::Autosave::newFolder(root);
+  ui::Session session(folder);
+  ui::Autosave autosave(session, folder);
+  ui::MainWindow window(session);
+  window.show();
+  const QStringList files = arguments.positionalArguments();
+  if (!files.isEmpty()) window.files().open(files.front().toStdString());
+  window.offerLeftovers(root);
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  askForOpenGl();
   QApplication::setApplicationName(QStringLiteral("Smithereens"));
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));
-  QApplication application(argc, argv);
-  ui::Theme::instance().apply(ui::ThemeKind::dark);
-
-  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
-  ui::Session session(std::filesystem::path(data.toStdString()) / "takes");
-  ui::MainWindow window(session);
-  const std::filesystem::path file = argc > 1
-                                         ? std::filesystem::path(argv[1])
-                                         : modeling::resourcesFolder() / "scenes" / "teapot-drop.scene.json";
-  sim::Result<modeling::SceneFile> scene = modeling::loadScene(file);
-  if (scene) {
-    session.document().reset(std::move(scene->scene), file);
-  } else {
-    session.report(scene.problem());
+  QApplication::setApplicationVersion(QStringLiteral(SMITHEREENS_VERSION));
+  try {
+    QApplication application(argc, argv);
+    return run(application);
+  } catch (const std::exception& exception) {
+    std::cerr << "smithereens: stopped: " << exception.what() << '\n';
+    return EXIT_FAILURE;
   }
-  window.show();
-  return QApplication::exec();
 }

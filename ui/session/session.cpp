@@ -304,6 +304,16 @@ sim::Status Session::openTake(const std::filesystem::path& file) {
   return sim::Done{};
 }
 
+void Session::adoptTakes(const std::vector<std::filesystem::path>& files) {
+  std::error_code error;
+  std::filesystem::create_directories(takesFolder_, error);
+  for (const std::filesystem::path& file : files) {
+    const std::filesystem::path own = takesFolder_ / file.filename();
+    std::filesystem::rename(file, own, error);
+    if (const sim::Status opened = openTake(error ? file : own); !opened) report(opened.problem());
+  }
+}
+
 sim::Status Session::saveTake(std::size_t take, const std::filesystem::path& file) const {
   const std::filesystem::path& from = takes_.at(take).footage->file();
   std::error_code error;

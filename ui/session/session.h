@@ -71,6 +71,8 @@ class Session : public QObject {
   void removeTake(std::size_t take);
   /// A Problem where the file is no take. Makes it the current one.
   sim::Status openTake(const std::filesystem::path& file);
+  /// Takes over files of a run that was cut short; those that cannot be read are left out.
+  void adoptTakes(const std::vector<std::filesystem::path>& files);
   /// Copies its file. Asks for a take that is finished.
   sim::Status saveTake(std::size_t take, const std::filesystem::path& file) const;
 

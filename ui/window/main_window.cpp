@@ -1,77 +1,104 @@
 #include "ui/window/main_window.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QLabel>
-#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QProgressBar>
-#include <QStatusBar>
-#include <QToolBar>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTimer>
+#include <algorithm>
 
+#include "ui/files/autosave.h"
 #include "ui/theme/theme.h"
-#include "ui/timeline/play_actions.h"
-#include "ui/timeline/timeline.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/gallery.h"
+#include "ui/window/problem_bar.h"
 
 namespace ui {
+namespace {
+
+/// Of QMainWindow::saveState(): another number when docks are added or renamed.
+constexpr int kLayoutVersion = 1;
+
+QString timeLeft(double seconds) {
+  if (seconds < 60.0) return MainWindow::tr("%1 s left").arg(std::ceil(seconds));
+  return MainWindow::tr("%1 min left").arg(std::ceil(seconds / 60.0));
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
   setObjectName("main");
   resize(1280, 800);
+  setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  files_ = new FileActions(session_, recent_, this);
   makeCentre();
   makeDocks();
   makeMenus();
   makeToolBar();
   makeStatusBar();
+  connect(files_, &FileActions::opened, this, &MainWindow::showViewport);
   connect(&session_.document(), &Document::statusChanged, this, &MainWindow::showTitle);
   connect(&session_, &Session::runChanged, this, &MainWindow::showRun);
-  connect(&session_, &Session::previewChanged, this, &MainWindow::showRun);
+  connect(&session_, &Session::previewChanged, this, &MainWindow::showPreviewProblem);
   connect(&session_, &Session::problemFound, this, &MainWindow::showProblem);
   showTitle();
+  firstLayout_ = saveState(kLayoutVersion);
+  recallLayout();
+  showGallery();
 }
 
-void MainWindow::makeCentre() {
-  viewport_ = new Viewport(session_, this);
-  setCentralWidget(viewport_);
+MainWindow::~MainWindow() = default;
+
+void MainWindow::rememberLayout() const {
+  QSettings settings;
+  settings.setValue("window/geometry", saveGeometry());
+  if (pages_->currentWidget() == workPage_) settings.setValue("window/state", saveState(kLayoutVersion));
 }
 
-void MainWindow::makeDocks() {
-  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  playActions_ = new PlayActions(session_, this);
-  addActions(playActions_->findChildren<QAction*>(Qt::FindDirectChildrenOnly));
-  qApp->installEventFilter(new KeysOfFocus(this));
-  auto* timeline = new Timeline(session_, *playActions_, this);
-  QDockWidget* dock = addDock(QStringLiteral("timeline"), tr("Timeline"), timeline, Qt::BottomDockWidgetArea);
-  // It has no name to show and nowhere better to be; its room is for the time.
-  dock->setTitleBarWidget(new QWidget(dock));
-  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
-}
-void MainWindow::makeMenus() {}
-void MainWindow::makeToolBar() {}
-
-void MainWindow::makeStatusBar() {
-  hint_ = new QLabel(this);
-  state_ = new QLabel(this);
-  progress_ = new QProgressBar(this);
-  progress_->setFixedWidth(160);
-  progress_->setTextVisible(false);
-  progress_->hide();
-  statusBar()->addWidget(hint_, 1);
-  statusBar()->addPermanentWidget(progress_);
-  statusBar()->addPermanentWidget(state_);
+void MainWindow::recallLayout() {
+  const QSettings settings;
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
 }
 
-QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content,
-                                 Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(content);
-  addDockWidget(area, dock);
-  return dock;
+void MainWindow::resetLayout() {
+  restoreState(firstLayout_, kLayoutVersion);
+}
+
+void MainWindow::showGallery() {
+  if (pages_->currentWidget() == workPage_ && isVisible()) {
+    keepPicture();
+    rememberLayout();
+  }
+  for (QDockWidget* dock : docks_) dock->hide();
+  toolBar_->hide();
+  pages_->setCurrentWidget(gallery_);
+}
+
+void MainWindow::showViewport() {
+  if (pages_->currentWidget() == workPage_) return;
+  pages_->setCurrentWidget(workPage_);
+  const QByteArray state = QSettings().value("window/state").toByteArray();
+  toolBar_->show();
+  if (!restoreState(state.isEmpty() ? firstLayout_ : state, kLayoutVersion))
+    restoreState(firstLayout_, kLayoutVersion);
+  viewport_->setFocus();
+}
+
+/// The recent files show what was last seen of them.
+void MainWindow::keepPicture() {
+  const std::filesystem::path& file = session_.document().file();
+  if (file.empty() || !viewport_->isVisible()) return;
+  const QImage picture = viewport_->grabFramebuffer();
+  recent_.setPicture(file,
+                     picture.scaled(480, 300, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation));
 }
 
 void MainWindow::showTitle() {
@@ -81,19 +108,94 @@ void MainWindow::showTitle() {
 
 void MainWindow::showRun() {
   const std::shared_ptr<const RunView>& run = session_.run();
-  progress_->setVisible(session_.hasRun());
+  const bool active = session_.hasRun();
+  progress_->setVisible(active);
   if (run->newest && run->until > 0.0)
-    progress_->setValue(static_cast<int>(100.0 * run->newest->time / run->until));
-  state_->setText(session_.isBuilding() ? tr("Building") : QString());
+    progress_->setValue(static_cast<int>(1000.0 * run->newest->time / run->until));
+  progress_->setMaximum(run->phase == RunPhase::preparing ? 0 : 1000);
+  QString words;
+  if (run->phase == RunPhase::preparing) words = tr("Preparing");
+  if (run->phase == RunPhase::running)
+    words = tr("Simulating") + (run->secondsLeft > 1.0 ? ", " + timeLeft(run->secondsLeft) : QString());
+  if (run->phase == RunPhase::paused) words = tr("Paused");
+  if (!active) words = session_.isBuilding() ? tr("Building") : QString();
+  state_->setText(words);
+  if (active && run->phase == RunPhase::paused && run->problem) showProblem(*run->problem);
+}
+
+void MainWindow::showPreviewProblem() {
+  showRun();
+  const std::optional<sim::Problem>& problem = session_.preview()->problem;
+  if (problem) {
+    problems_->show(*problem);
+  } else if (previewProblem_) {
+    problems_->putAway();
+  }
+  previewProblem_ = problem.has_value();
 }
 
 void MainWindow::showProblem(const sim::Problem& problem) {
-  hint_->setText(QString::fromStdString(problem.line()));
+  previewProblem_ = false;
+  problems_->show(problem);
+  if (pages_->currentWidget() == gallery_ && !problems_->isVisible())
+    QMessageBox::warning(this, tr("Smithereens"), QString::fromStdString(problem.line()));
+}
+
+void MainWindow::offerLeftovers(const std::filesystem::path& root) {
+  for (const Leftover& leftover : Autosave::leftovers(root)) {
+    const QString name =
+        leftover.scene.name.empty() ? tr("Untitled") : QString::fromStdString(leftover.scene.name);
+    QMessageBox question(QMessageBox::Question, tr("Recover"),
+                         tr("“%1” was not saved when the program ended unexpectedly.").arg(name),
+                         QMessageBox::NoButton, this);
+    question.setInformativeText(
+        tr("It was kept at %1.").arg(QLocale().toString(leftover.when, QLocale::ShortFormat)));
+    QPushButton* recover = question.addButton(tr("Recover"), QMessageBox::AcceptRole);
+    QPushButton* discard = question.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    question.addButton(tr("Later"), QMessageBox::RejectRole);
+    question.setDefaultButton(recover);
+    question.exec();
+    if (question.clickedButton() == static_cast<QAbstractButton*>(discard)) Autosave::discard(leftover);
+    if (question.clickedButton() != static_cast<QAbstractButton*>(recover)) continue;
+    session_.document().reset(leftover.scene, leftover.file);
+    session_.document().markUnsaved();
+    session_.adoptTakes(leftover.takes);
+    Autosave::discard(leftover);
+    showViewport();
+    return;
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->mayLeave()) {
+    event->ignore();
+    return;
+  }
+  keepPicture();
+  rememberLayout();
   session_.stopRun();
   event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  const bool wanted = std::any_of(urls.begin(), urls.end(), [](const QUrl& url) {
+    return url.isLocalFile() && FileActions::canOpen(url.toLocalFile().toStdString());
+  });
+  if (wanted) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  std::vector<std::filesystem::path> files;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile() && FileActions::canOpen(url.toLocalFile().toStdString()))
+      files.emplace_back(url.toLocalFile().toStdString());
+  }
+  event->acceptProposedAction();
+  // Questions that opening asks must not keep the program waiting that the file was dragged from.
+  QTimer::singleShot(0, this, [this, files] {
+    for (const std::filesystem::path& file : files) files_->open(file);
+  });
 }
 
 }  // namespace ui

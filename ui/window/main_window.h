@@ -1,18 +1,24 @@
 #pragma once
 
 #include <QMainWindow>
+#include <filesystem>
 
+#include "ui/files/file_actions.h"
+#include "ui/files/recent_files.h"
 #include "ui/session/session.h"
 
 class QDockWidget;
 class QLabel;
 class QMenu;
 class QProgressBar;
+class QStackedWidget;
 class QToolBar;
 
 namespace ui {
 
+class Gallery;
 class PlayActions;
+class ProblemBar;
 class Viewport;
 
 /// The window: menus, bars, docks around the viewport. What it shows and does is the session's.
@@ -21,32 +27,64 @@ class MainWindow : public QMainWindow {
 
  public:
   explicit MainWindow(Session& session, QWidget* parent = nullptr);
+  ~MainWindow() override;
 
   Session& session() { return session_; }
   Viewport& viewport() { return *viewport_; }
+  FileActions& files() { return *files_; }
+
+  /// Asks whether to take up what programs that were killed left in `root`.
+  void offerLeftovers(const std::filesystem::path& root);
+  /// The gallery in the viewport's place; the scene stays open behind it.
+  void showGallery();
+  void showViewport();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
-  // Made once, in this order (main_window_layout.cpp).
+  // Made once, in this order (main_window_layout.cpp, main_window_menus.cpp).
   void makeCentre();
   void makeDocks();
   void makeMenus();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeSimulateMenu();
+  void makeHelpMenu();
   void makeToolBar();
   void makeStatusBar();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+  void rememberLayout() const;
+  void recallLayout();
+  void resetLayout();
 
   void showTitle();
   void showRun();
+  void showPreviewProblem();
   void showProblem(const sim::Problem& problem);
+  void keepPicture();
 
   Session& session_;
+  RecentFiles recent_;
+  FileActions* files_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  QWidget* workPage_ = nullptr;
+  Gallery* gallery_ = nullptr;
+  ProblemBar* problems_ = nullptr;
   Viewport* viewport_ = nullptr;
+  std::vector<QDockWidget*> docks_;
+  QMenu* viewMenu_ = nullptr;
+  QMenu* simulateMenu_ = nullptr;
+  QToolBar* toolBar_ = nullptr;
   PlayActions* playActions_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;
+  bool previewProblem_ = false;  ///< the bar shows one of the preview
+  QByteArray firstLayout_;       ///< as it comes out of the box
 };
 
 }  // namespace ui

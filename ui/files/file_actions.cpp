@@ -1,0 +1,182 @@
+#include "ui/files/file_actions.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+
+#include "modeling/exchange/take_scene.h"
+#include "modeling/scene/resources.h"
+#include "modeling/scene/scene_file.h"
+#include "ui/document/new_scene.h"
+#include "ui/theme/theme.h"
+
+namespace ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+const QString kSceneEnding = QStringLiteral(".scene.json");
+
+QString text(const fs::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+bool isTake(const fs::path& file) {
+  return file.extension() == ".take";
+}
+
+}  // namespace
+
+FileActions::FileActions(Session& session, RecentFiles& recent, QWidget* window)
+    : QObject(window), session_(session), recent_(recent), window_(window) {
+  const auto action = [&](const QString& icon, const QString& name, const QKeySequence& key, auto slot) {
+    auto* made = new QAction(Theme::icon(icon), name, this);
+    made->setShortcut(key);
+    connect(made, &QAction::triggered, this, slot);
+    return made;
+  };
+  new_ = action("file-new", tr("&New"), QKeySequence::New, [this] { newScene(); });
+  open_ = action("folder-open", tr("&Open…"), QKeySequence::Open, [this] { askWhatToOpen(); });
+  save_ = action("save", tr("&Save"), QKeySequence::Save, [this] { save(); });
+  saveAs_ =
+      action("save", tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
+  saveTake_ = action("film", tr("Save &Take As…"), {}, [this] {
+    const auto take = session_.currentTake();
+    if (!take) return;
+    const QString name = QFileDialog::getSaveFileName(window_, tr("Save the take"), {}, tr("Takes (*.take)"));
+    if (name.isEmpty()) return;
+    if (const sim::Status saved = session_.saveTake(*take, name.toStdString()); !saved)
+      session_.report(saved.problem());
+  });
+  const auto judge = [this] { saveTake_->setEnabled(session_.currentTake() && !session_.hasRun()); };
+  connect(&session_, &Session::takesChanged, this, judge);
+  connect(&session_, &Session::runChanged, this, judge);
+  judge();
+}
+
+void FileActions::addTo(QMenu& menu) {
+  menu.addAction(new_);
+  menu.addAction(open_);
+  QMenu* recent = menu.addMenu(Theme::icon("clock"), tr("Open &Recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { showRecent(*recent); });
+  menu.addSeparator();
+  menu.addAction(save_);
+  menu.addAction(saveAs_);
+  menu.addAction(saveTake_);
+}
+
+void FileActions::showRecent(QMenu& menu) {
+  menu.clear();
+  for (const fs::path& file : recent_.files()) {
+    QAction* action = menu.addAction(text(file.filename()), this, [this, file] { open(file); });
+    action->setToolTip(text(file));
+  }
+  if (menu.isEmpty()) menu.addAction(tr("Nothing yet"))->setEnabled(false);
+  menu.addSeparator();
+  menu.addAction(tr("Clear"), &recent_, &RecentFiles::clear);
+}
+
+bool FileActions::mayLeave() {
+  const Document& document = session_.document();
+  if (!document.isModified()) return true;
+  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                       tr("Save the changes to “%1”?").arg(document.title()),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question.setInformativeText(tr("They are lost otherwise."));
+  question.setDefaultButton(QMessageBox::Save);
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void FileActions::newScene() {
+  if (!mayLeave()) return;
+  session_.document().reset(ui::newScene(), {});
+  emit opened();
+}
+
+void FileActions::askWhatToOpen() {
+  const QString folder = session_.document().file().empty() ? text(modeling::resourcesFolder() / "scenes")
+                                                            : text(session_.document().folder());
+  const QString name = QFileDialog::getOpenFileName(window_, tr("Open"), folder,
+                                                    tr("Scenes and takes (*.scene.json *.json *.take)"));
+  if (!name.isEmpty()) open(name.toStdString());
+}
+
+bool FileActions::canOpen(const fs::path& file) {
+  return isTake(file) || file.extension() == ".json";
+}
+
+void FileActions::open(const fs::path& file) {
+  if (isTake(file)) {
+    openTake(file);
+  } else {
+    openScene(file);
+  }
+}
+
+void FileActions::openScene(const fs::path& file) {
+  sim::Result<modeling::SceneFile> scene = modeling::loadScene(file);
+  if (!scene) {
+    recent_.remove(file);
+    session_.report(scene.problem());
+    return;
+  }
+  if (!mayLeave()) return;
+  session_.document().reset(std::move(scene->scene), file);
+  recent_.add(file);
+  emit opened();
+}
+
+/// A take is looked at beside the scene that is open; where none is, its own scene is opened with it.
+void FileActions::openTake(const fs::path& file) {
+  const bool empty = session_.document().scene().parts.empty() && !session_.document().isModified();
+  if (empty) {
+    const auto reader = sim::TakeReader::open(file);
+    sim::Result<modeling::Scene> scene =
+        reader ? modeling::sceneOf(**reader) : sim::Result<modeling::Scene>(reader.problem());
+    if (!scene) {
+      session_.report(scene.problem());
+      return;
+    }
+    session_.document().reset(std::move(scene).value(), {}, file.parent_path());
+  }
+  if (const sim::Status opened = session_.openTake(file); !opened) {
+    session_.report(opened.problem());
+    return;
+  }
+  recent_.add(file);
+  emit this->opened();
+}
+
+bool FileActions::save() {
+  if (session_.document().file().empty()) return saveAs();
+  const sim::Status saved = session_.document().saveTo(session_.document().file());
+  if (!saved) session_.report(saved.problem());
+  return saved.ok();
+}
+
+bool FileActions::saveAs() {
+  QString start = text(session_.document().file());
+  if (start.isEmpty()) start = session_.document().title() + kSceneEnding;
+  QString name = QFileDialog::getSaveFileName(window_, tr("Save the scene"), start,
+                                              tr("Scenes (*%1)").arg(kSceneEnding));
+  if (name.isEmpty()) return false;
+  if (QFileInfo(name).suffix().isEmpty()) name += kSceneEnding;
+  const fs::path file = name.toStdString();
+  if (const sim::Status saved = session_.document().saveTo(file); !saved) {
+    session_.report(saved.problem());
+    return false;
+  }
+  recent_.add(file);
+  return true;
+}
+
+}  // namespace ui

@@ -1,0 +1,93 @@
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QProgressBar>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "ui/theme/theme.h"
+#include "ui/timeline/play_actions.h"
+#include "ui/timeline/timeline.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/gallery.h"
+#include "ui/window/main_window.h"
+#include "ui/window/problem_bar.h"
+
+namespace ui {
+
+void MainWindow::makeCentre() {
+  pages_ = new QStackedWidget(this);
+  workPage_ = new QWidget(pages_);
+  auto* layout = new QVBoxLayout(workPage_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  problems_ = new ProblemBar(workPage_);
+  viewport_ = new Viewport(session_, workPage_);
+  layout->addWidget(problems_);
+  layout->addWidget(viewport_, 1);
+  gallery_ = new Gallery(recent_, pages_);
+  connect(gallery_, &Gallery::newWanted, files_, &FileActions::newScene);
+  connect(gallery_, &Gallery::openWanted, files_->openAction(), &QAction::trigger);
+  connect(gallery_, &Gallery::fileWanted, files_, &FileActions::open);
+  pages_->addWidget(gallery_);
+  pages_->addWidget(workPage_);
+  setCentralWidget(pages_);
+}
+
+void MainWindow::makeDocks() {
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  playActions_ = new PlayActions(session_, this);
+  addActions(playActions_->findChildren<QAction*>(Qt::FindDirectChildrenOnly));
+  qApp->installEventFilter(new KeysOfFocus(this));
+  auto* timeline = new Timeline(session_, *playActions_, this);
+  QDockWidget* dock = addDock(QStringLiteral("timeline"), tr("Timeline"), timeline, Qt::BottomDockWidgetArea);
+  // It has no name to show and nowhere better to be; its room is for the time.
+  dock->setTitleBarWidget(new QWidget(dock));
+  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+}
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content,
+                                 Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  docks_.push_back(dock);
+  return dock;
+}
+
+void MainWindow::makeToolBar() {
+  toolBar_ = addToolBar(tr("Tools"));
+  toolBar_->setObjectName("tools");
+  toolBar_->setMovable(false);
+  toolBar_->setIconSize(QSize(18, 18));
+  toolBar_->addAction(files_->newAction());
+  toolBar_->addAction(files_->openAction());
+  toolBar_->addAction(files_->saveAction());
+  toolBar_->addSeparator();
+  toolBar_->addAction(playActions_->simulate);
+}
+
+void MainWindow::makeStatusBar() {
+  hint_ = new QLabel(this);
+  state_ = new QLabel(this);
+  progress_ = new QProgressBar(this);
+  progress_->setFixedWidth(160);
+  progress_->setTextVisible(false);
+  progress_->hide();
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(state_);
+  statusBar()->addPermanentWidget(progress_);
+  const auto showHint = [this] {
+    const Tool* tool = viewport_->tool();
+    hint_->setText(tool != nullptr ? tool->hint() : QString());
+  };
+  connect(viewport_, &Viewport::toolChanged, this, showHint);
+}
+
+}  // namespace ui

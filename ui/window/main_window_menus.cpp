@@ -1,0 +1,96 @@
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QSettings>
+
+#include "ui/theme/theme.h"
+#include "ui/timeline/play_actions.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/about_dialog.h"
+#include "ui/window/main_window.h"
+#include "ui/window/shortcuts_dialog.h"
+
+namespace ui {
+
+void MainWindow::makeMenus() {
+  makeFileMenu();
+  makeEditMenu();
+  makeViewMenu();
+  makeSimulateMenu();
+  makeHelpMenu();
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  files_->addTo(*menu);
+  menu->addSeparator();
+  menu->addAction(Theme::icon("grid"), tr("&Gallery"), this, &MainWindow::showGallery);
+  menu->addSeparator();
+  menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  QUndoStack& history = session_.document().undoStack();
+  QAction* undo = history.createUndoAction(menu, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setIcon(Theme::icon("undo"));
+  QAction* redo = history.createRedoAction(menu, tr("&Redo"));
+  redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  redo->setIcon(Theme::icon("redo"));
+  menu->addAction(undo);
+  menu->addAction(redo);
+}
+
+void MainWindow::makeViewMenu() {
+  viewMenu_ = menuBar()->addMenu(tr("&View"));
+  viewMenu_->addAction(Theme::icon("frame"), tr("Frame &All"), QKeySequence(Qt::Key_Home), viewport_,
+                       &Viewport::frameAll);
+  viewMenu_->addAction(tr("Frame &Selection"), QKeySequence(Qt::Key_F), viewport_, &Viewport::frameSelection);
+  viewMenu_->addSeparator();
+  QMenu* panels = viewMenu_->addMenu(tr("&Panels"));
+  for (QDockWidget* dock : docks_) panels->addAction(dock->toggleViewAction());
+  panels->addSeparator();
+  panels->addAction(tr("&Reset Layout"), this, &MainWindow::resetLayout);
+  QMenu* themes = viewMenu_->addMenu(tr("&Theme"));
+  auto* group = new QActionGroup(this);
+  const auto addTheme = [&](const QString& name, ThemeKind kind) {
+    QAction* action = themes->addAction(name, this, [kind] {
+      Theme::instance().apply(kind);
+      QSettings().setValue("theme", kind == ThemeKind::dark ? "dark" : "light");
+    });
+    action->setCheckable(true);
+    action->setChecked(Theme::instance().kind() == kind);
+    group->addAction(action);
+  };
+  addTheme(tr("&Dark"), ThemeKind::dark);
+  addTheme(tr("&Light"), ThemeKind::light);
+}
+
+void MainWindow::makeSimulateMenu() {
+  simulateMenu_ = menuBar()->addMenu(tr("&Simulate"));
+  const PlayActions& actions = *playActions_;
+  simulateMenu_->addActions({actions.simulate, actions.toggle, actions.stop, actions.follow});
+  simulateMenu_->addSeparator();
+  simulateMenu_->addActions({actions.continueAsWas, actions.continueChanged, actions.record});
+  simulateMenu_->addSeparator();
+  simulateMenu_->addActions({actions.playBackwards, actions.stepBack, actions.stepForward, actions.toFirst,
+                             actions.toLast, actions.toFirstBreak, actions.loop, actions.everyFrame});
+  simulateMenu_->addSeparator();
+  simulateMenu_->addAction(tr("Show the Scene at &Rest"), QKeySequence(Qt::CTRL | Qt::Key_Home), &session_,
+                           &Session::showEdited);
+}
+
+void MainWindow::makeHelpMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  menu->addAction(tr("&Shortcuts"), QKeySequence(Qt::Key_F1), this, [this] {
+    ShortcutsDialog dialog(*this);
+    dialog.exec();
+  });
+  menu->addAction(tr("&About Smithereens"), this, [this] {
+    AboutDialog dialog(this);
+    dialog.exec();
+  });
+}
+
+}  // namespace ui
