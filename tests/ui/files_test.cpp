@@ -1,0 +1,154 @@
+#include <QMessageBox>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "modeling/scene/scene_file.h"
+#include "ui/document/new_scene.h"
+#include "ui/files/autosave.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path pathOf(const QTemporaryDir& folder) {
+  return folder.path().toStdString();
+}
+
+void addSlab(modeling::Scene& scene) {
+  modeling::Part part;
+  part.name = "slab";
+  part.material = scene.materials.front().name;
+  part.shape = modeling::SlabShape{sim::Vec3(3.0, 3.0, 1.0), {1.0, {}}};
+  scene.parts.push_back(part);
+}
+
+/// A process id that no process has any more.
+qint64 endedProcess() {
+  QProcess process;
+  process.start("true", QStringList());
+  process.waitForStarted();
+  const qint64 id = process.processId();
+  process.waitForFinished();
+  return id;
+}
+
+/// What a killed program leaves: its folder, and a lock that nobody holds.
+fs::path leaveBehind(const fs::path& folder, const fs::path& root) {
+  const fs::path left = root / "left-behind";
+  fs::copy(folder, left, fs::copy_options::recursive);
+  std::ofstream lock(left / "running", std::ios::trunc);
+  lock << endedProcess() << "\nsmithereens\n" << QSysInfo::machineHostName().toStdString() << "\n";
+  return left;
+}
+
+/// Answers the next question with the button of that text.
+void answer(const QString& button) {
+  QTimer::singleShot(100, [button] {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+      auto* box = qobject_cast<QMessageBox*>(widget);
+      if (box == nullptr || !box->isVisible()) continue;
+      for (QAbstractButton* choice : box->buttons()) {
+        if (choice->text().remove('&') == button) choice->click();
+      }
+    }
+  });
+}
+
+TEST_CASE("What was not saved when the program was killed can be recovered") {
+  const QTemporaryDir place;
+  const fs::path root = pathOf(place);
+  modeling::Scene edited;
+  fs::path left;
+  {
+    const fs::path folder = ui::Autosave::newFolder(root);
+    ui::Session session(folder);
+    ui::Autosave autosave(session, folder);
+    session.document().reset(ui::newScene(), {});
+    session.document().edit("Add", addSlab);
+    autosave.write();
+    edited = session.document().scene();
+    CHECK(ui::Autosave::leftovers(root).empty());
+    left = leaveBehind(folder, root);
+  }
+  const std::vector<ui::Leftover> leftovers = ui::Autosave::leftovers(root);
+  REQUIRE(leftovers.size() == 1);
+  CHECK(leftovers[0].scene == edited);
+  ui::Autosave::discard(leftovers[0]);
+  CHECK_FALSE(fs::exists(left));
+  CHECK(ui::Autosave::leftovers(root).empty());
+}
+
+TEST_CASE("A program that ends well leaves nothing behind") {
+  const QTemporaryDir place;
+  {
+    const fs::path folder = ui::Autosave::newFolder(pathOf(place));
+    ui::Session session(folder);
+    ui::Autosave autosave(session, folder);
+    session.document().reset(ui::newScene(), {});
+    session.document().edit("Add", addSlab);
+    autosave.write();
+  }
+  CHECK(fs::is_empty(pathOf(place)));
+}
+
+TEST_CASE("The window opens a scene, asks before it gives up changes, and saves them whole") {
+  const QTemporaryDir place;
+  const fs::path file = pathOf(place) / "slab.scene.json";
+  modeling::Scene scene = ui::newScene();
+  addSlab(scene);
+  REQUIRE(modeling::saveScene(scene, file));
+  ui::Session session(pathOf(place) / "takes");
+  ui::MainWindow window(session);
+  window.show();
+  REQUIRE(QTest::qWaitForWindowExposed(&window));
+  window.files().open(file);
+  CHECK(session.document().scene() == scene);
+  CHECK(window.viewport().isVisible());
+  CHECK_FALSE(window.isWindowModified());
+
+  session.document().edit(
+      "Move", [](modeling::Scene& changed) { changed.parts[0].worldFromPart.position.z() = 5.0; });
+  CHECK(window.isWindowModified());
+  answer("Cancel");
+  CHECK_FALSE(window.files().mayLeave());
+  answer("Discard");
+  CHECK(window.files().mayLeave());
+  answer("Save");
+  CHECK(window.files().mayLeave());
+  CHECK_FALSE(window.isWindowModified());
+  const auto saved = modeling::loadScene(file);
+  REQUIRE(saved);
+  CHECK(saved->scene == session.document().scene());
+  // The history survives saving.
+  session.document().undoStack().undo();
+  CHECK(session.document().scene() == scene);
+  CHECK(window.isWindowModified());
+  session.document().undoStack().redo();
+}
+
+TEST_CASE("A file that is no scene is reported and changes nothing") {
+  const QTemporaryDir place;
+  const fs::path file = pathOf(place) / "broken.scene.json";
+  std::ofstream(file) << R"({"smithereens": 1, "parts": [)";
+  ui::Session session(pathOf(place) / "takes");
+  ui::MainWindow window(session);
+  window.show();
+  REQUIRE(QTest::qWaitForWindowExposed(&window));
+  window.showViewport();
+  std::string said;
+  QObject::connect(&session, &ui::Session::problemFound, &window,
+                   [&](const sim::Problem& problem) { said = problem.line(); });
+  const modeling::Scene before = session.document().scene();
+  window.files().open(file);
+  CHECK(said.find("broken.scene.json:1:") != std::string::npos);
+  CHECK(session.document().scene() == before);
+}
+
+}  // namespace
