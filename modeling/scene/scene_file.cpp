@@ -26,7 +26,7 @@ bool readVersion(JsonReader& reader, const JsonValue& root) {
   return reader.fail(version->position, "this is a scene of version " + std::to_string(number), remedy);
 }
 
-bool readScene(JsonReader& reader, const JsonValue& root, Scene& scene) {
+bool readRoot(JsonReader& reader, const JsonValue& root, Scene& scene) {
   if (!readVersion(reader, root)) return false;
   std::vector<std::string> keys = keysOf<Scene>();
   keys.emplace_back(kVersionKey);
@@ -47,12 +47,16 @@ sim::Result<SceneFile> parseScene(std::string_view text, const std::string& sour
                                   const std::vector<std::string>& settings) {
   sim::Result<JsonDocument> document = parseJson(text, source);
   if (!document) return document.problem();
-  SceneFile file{{}, std::move(document).value()};
   for (const std::string& setting : settings) {
-    if (const sim::Status status = applySetting(file.document, setting); !status) return status.problem();
+    if (const sim::Status status = applySetting(*document, setting); !status) return status.problem();
   }
+  return readScene(std::move(document).value());
+}
+
+sim::Result<SceneFile> readScene(JsonDocument document) {
+  SceneFile file{{}, std::move(document)};
   JsonReader reader(file.document);
-  if (!readScene(reader, file.document.root, file.scene)) return *reader.problem();
+  if (!readRoot(reader, file.document.root, file.scene)) return *reader.problem();
   if (const sim::Status status = checkScene(file.scene); !status) return file.located(status.problem());
   return file;
 }

@@ -24,6 +24,7 @@ struct SceneFile {
   sim::Problem located(const sim::Problem& problem) const;
 };
 
+sim::Result<SceneFile> readScene(JsonDocument document);
 /// `settings` are laid over the text first, each "PATH=VALUE" (json_path.h).
 sim::Result<SceneFile> parseScene(std::string_view text, const std::string& source,
                                   const std::vector<std::string>& settings = {});

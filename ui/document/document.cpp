@@ -68,6 +68,13 @@ void Document::reset(modeling::Scene scene, std::filesystem::path file, std::fil
   emit statusChanged();
 }
 
+void Document::detachFromFile() {
+  baseFolder_ = folder();
+  file_.clear();
+  markUnsaved();
+  emit statusChanged();
+}
+
 sim::Status Document::saveTo(const std::filesystem::path& file) {
   if (const sim::Status saved = modeling::saveScene(scene_, file); !saved) return saved;
   file_ = file;

@@ -44,6 +44,8 @@ class Document : public QObject {
   void reset(modeling::Scene scene, std::filesystem::path file, std::filesystem::path baseFolder = {});
   /// Writes it, in one step or not at all; the history stays, and remembers this state as the saved one.
   sim::Status saveTo(const std::filesystem::path& file);
+  /// Saving asks for a name again; files that the scene names are still looked for where they were.
+  void detachFromFile();
   /// A recovered scene counts as unsaved.
   void markUnsaved() { undoStack_.resetClean(); }
 

@@ -8,7 +8,7 @@
 
 #include "modeling/exchange/take_scene.h"
 #include "modeling/scene/resources.h"
-#include "modeling/scene/scene_file.h"
+#include "modeling/scene/salvage.h"
 #include "ui/document/new_scene.h"
 #include "ui/theme/theme.h"
 
@@ -123,16 +123,32 @@ void FileActions::open(const fs::path& file) {
 }
 
 void FileActions::openScene(const fs::path& file) {
-  sim::Result<modeling::SceneFile> scene = modeling::loadScene(file);
-  if (!scene) {
+  sim::Result<modeling::SalvagedScene> salvaged = modeling::salvageScene(file);
+  if (!salvaged) {
     recent_.remove(file);
-    session_.report(scene.problem());
+    session_.report(salvaged.problem());
     return;
   }
   if (!mayLeave()) return;
-  session_.document().reset(std::move(scene->scene), file);
+  session_.document().reset(std::move(salvaged->scene), file);
   recent_.add(file);
   emit opened();
+  if (!salvaged->faults.empty()) showFaults(salvaged->faults);
+}
+
+/// What is open now lacks what was left out: it counts as changed, and is not saved over the file without
+/// asking.
+void FileActions::showFaults(const std::vector<sim::Problem>& faults) {
+  session_.document().detachFromFile();
+  const auto count = static_cast<int>(faults.size());
+  QMessageBox report(QMessageBox::Warning, tr("Opened in part"),
+                     tr("%n thing(s) in this file could not be read and were left out.", nullptr, count),
+                     QMessageBox::Ok, window_);
+  report.setInformativeText(QString::fromStdString(faults.front().line()));
+  QStringList lines;
+  for (const sim::Problem& fault : faults) lines.append(QString::fromStdString(fault.line()));
+  if (count > 1) report.setDetailedText(lines.join('\n'));
+  report.exec();
 }
 
 /// A take is looked at beside the scene that is open; where none is, its own scene is opened with it.
