@@ -1,6 +1,6 @@
 #include "ui/session/session.h"
 
-#include <QDateTime>
+#include <QFileInfo>
 #include <algorithm>
 
 #include "modeling/scene/scene_file.h"
@@ -85,7 +85,8 @@ void Session::takeView(const std::shared_ptr<const RunView>& view) {
   if (view->run == currentRun_) {
     if (view->footage && !takeListed_) {
       takeListed_ = true;
-      takes_.push_back({nextTakeName_, {}, view->footage, {}, false, nextContinuedAt_});
+      takes_.push_back(
+          {nextTakeName_, {}, view->footage, {}, false, nextContinuedAt_, QDateTime::currentDateTime()});
       currentTake_ = takes_.size() - 1;
       listing_ = true;  // the new take's start is not what the person asked to see
       playback_.setFootage(view->footage);
@@ -297,7 +298,13 @@ void Session::removeTake(std::size_t take) {
 sim::Status Session::openTake(const std::filesystem::path& file) {
   sim::Result<std::shared_ptr<Footage>> footage = Footage::open(file);
   if (!footage) return footage.problem();
-  takes_.push_back({QString::fromStdString(file.stem().string()), {}, *footage, {}, false, std::nullopt});
+  takes_.push_back({QString::fromStdString(file.stem().string()),
+                    {},
+                    *footage,
+                    {},
+                    false,
+                    std::nullopt,
+                    QFileInfo(QString::fromStdString(file.string())).lastModified()});
   loader_.gatherNotes(*footage);
   judgeTakes();
   selectTake(takes_.size() - 1);

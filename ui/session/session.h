@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QImage>
 #include <QObject>
 #include <QTimer>
@@ -25,6 +26,7 @@ struct Take {
   QImage thumbnail;
   bool stale = false;                 ///< the scene has been changed since
   std::optional<double> continuedAt;  ///< s: where it left the take it was continued from
+  QDateTime made;
 };
 
 /// What there is to see at present: a network at one moment, and the scene it belongs to.

@@ -244,7 +244,9 @@ QString TimeBar::tipAt(const QPointF& at) const {
   std::uint32_t broke = 0;
   for (std::size_t near = pixel > 1 ? pixel - 2 : 0; near < std::min(pixel + 3, breaks_.size()); ++near)
     broke += breaks_[near];
-  if (broke > 0) tip += QStringLiteral("\n") + tr("%n bond(s) broke here", nullptr, static_cast<int>(broke));
+  if (broke > 0)
+    tip +=
+        QStringLiteral("\n") + (broke == 1 ? tr("1 bond broke here") : tr("%1 bonds broke here").arg(broke));
   const QString stale = staleReason();
   return stale.isEmpty() ? tip : tip + QStringLiteral("\n") + stale;
 }

@@ -78,7 +78,9 @@ void TimeBar::paintRuler(QPainter& painter, const QRect& dirty) {
       verticalLine(painter, xOf(time + 0.2 * step * part), kRulerHeight - 4, kRulerHeight, colours.line);
     verticalLine(painter, x, kLoopHeight + 3, kRulerHeight, colours.dimText);
     painter.setPen(colours.dimText);
-    painter.drawText(QPointF(x + 4, kRulerHeight - 5), timeLabel(time, step));
+    const QString text = timeLabel(time, step);
+    if (x + 4.0 + painter.fontMetrics().horizontalAdvance(text) < width())
+      painter.drawText(QPointF(x + 4, kRulerHeight - 5), text);
   }
   horizontalLine(painter, kTimelineHeader, width(), kRulerHeight, colours.line);
 }

@@ -95,12 +95,16 @@ double leastOf(const TargetName& target) {
   return factor ? 0.0 : -std::numeric_limits<double>::infinity();
 }
 
-TrackValue valueAt(const modeling::SceneTrack& track, double time) {
+sim::Track asTrack(const modeling::SceneTrack& track) {
   sim::Track values;
   values.interpolation = track.interpolation;
   for (const modeling::SceneTrackKey& key : track.keys)
     values.keys.push_back({key.time, asVector(key.value)});
-  return asValue(track.target, values.valueAt(time));
+  return values;
+}
+
+TrackValue valueAt(const modeling::SceneTrack& track, double time) {
+  return asValue(track.target, asTrack(track).valueAt(time));
 }
 
 std::size_t addTrack(modeling::Scene& scene, const TargetName& target) {

@@ -23,6 +23,7 @@ TrackValue asValue(const modeling::TargetName& target, const sim::Vec3& vector);
 std::size_t componentsOf(const modeling::TargetName& target);
 /// The lowest that makes sense: stiffness and damping are never below 0.
 double leastOf(const modeling::TargetName& target);
+sim::Track asTrack(const modeling::SceneTrack& track);
 /// Between and beyond keys.
 TrackValue valueAt(const modeling::SceneTrack& track, double time);
 

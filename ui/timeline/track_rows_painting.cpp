@@ -123,6 +123,7 @@ void TrackRows::paintCurve(QPainter& painter, std::size_t track) {
     const double share = (value - span.least) / (span.most - span.least);
     return row.bottom() - 6.0 - share * (row.height() - 12.0);
   };
+  const sim::Track values = asTrack(found);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
   for (std::size_t c = 0; c < componentsOf(found.target); ++c) {
@@ -132,7 +133,7 @@ void TrackRows::paintCurve(QPainter& painter, std::size_t track) {
     const double right = width();
     for (double x = left; x <= right + 2.0; x += 2.0) {
       const double time = axis_.timeAt(x - kTimelineHeader);
-      const QPointF point(x, y(asVector(valueAt(found, time))[component]));
+      const QPointF point(x, y(values.valueAt(time)[component]));
       if (x > left) {
         // A step is upright, not slanted over the pixels between two samples.
         if (found.interpolation == sim::Interpolation::step) path.lineTo(x, path.currentPosition().y());

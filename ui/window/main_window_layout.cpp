@@ -8,6 +8,10 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "ui/panels/diagnostics_panel.h"
+#include "ui/panels/live_panel.h"
+#include "ui/panels/take_photographer.h"
+#include "ui/panels/takes_panel.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/play_actions.h"
 #include "ui/timeline/timeline.h"
@@ -45,6 +49,16 @@ void MainWindow::makeDocks() {
   qApp->installEventFilter(new KeysOfFocus(this));
   auto* timeline = new Timeline(session_, *playActions_, this);
   QDockWidget* dock = addDock(QStringLiteral("timeline"), tr("Timeline"), timeline, Qt::BottomDockWidgetArea);
+  auto* plots = new DiagnosticsPanel(session_, timeline->feed(), timeline->axis(), this);
+  QDockWidget* plotsDock =
+      addDock(QStringLiteral("diagnostics"), tr("Diagnostics"), plots, Qt::BottomDockWidgetArea);
+  splitDockWidget(plotsDock, dock, Qt::Vertical);
+  plotsDock->hide();
+  addDock(QStringLiteral("live"), tr("Live"), new LivePanel(session_, *viewport_, *playActions_, this),
+          Qt::RightDockWidgetArea);
+  addDock(QStringLiteral("takes"), tr("Takes"), new TakesPanel(session_, *playActions_, this),
+          Qt::LeftDockWidgetArea);
+  new TakePhotographer(session_, *viewport_, this);
   // It has no name to show and nowhere better to be; its room is for the time.
   dock->setTitleBarWidget(new QWidget(dock));
   dock->setFeatures(QDockWidget::NoDockWidgetFeatures);

@@ -1,0 +1,241 @@
+#include "ui/panels/diagnostics_panel.h"
+
+#include <QButtonGroup>
+#include <QChart>
+#include <QChartView>
+#include <QCheckBox>
+#include <QGraphicsLineItem>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineSeries>
+#include <QMouseEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QValueAxis>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/session/session.h"
+#include "ui/theme/theme.h"
+#include "ui/timeline/note_feed.h"
+#include "ui/timeline/time_axis.h"
+
+namespace ui {
+namespace {
+
+constexpr int kPlotMilliseconds = 120;
+
+}  // namespace
+
+DiagnosticsPanel::DiagnosticsPanel(Session& session, NoteFeed& feed, TimeAxis& axis, QWidget* parent)
+    : QWidget(parent), session_(session), feed_(feed), axis_(axis) {
+  setObjectName(QStringLiteral("diagnostics"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 6, 12, 6);
+  row->setSpacing(8);
+  auto* names = new QVBoxLayout;
+  names->setSpacing(2);
+  choice_ = new QButtonGroup(this);
+  for (std::size_t plot = 0; plot < plots_.size(); ++plot) {
+    auto* button = new QToolButton(this);
+    button->setText(plots_[plot].name);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFixedHeight(26);
+    choice_->addButton(button, static_cast<int>(plot));
+    names->addWidget(button);
+  }
+  names->addStretch(1);
+  row->addLayout(names);
+  makeChart();
+  row->addWidget(view_, 1);
+  auto* side = new QVBoxLayout;
+  unit_ = new QLabel(this);
+  unit_->setForegroundRole(QPalette::PlaceholderText);
+  unit_->setAlignment(Qt::AlignRight);
+  legend_ = new QGridLayout;
+  legend_->setVerticalSpacing(2);
+  legend_->setHorizontalSpacing(10);
+  side->addWidget(unit_);
+  side->addLayout(legend_);
+  side->addStretch(1);
+  row->addLayout(side);
+  timer_.setSingleShot(true);
+  timer_.setInterval(kPlotMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &DiagnosticsPanel::plotNow);
+  connect(choice_, &QButtonGroup::idClicked, this,
+          [this](int plot) { showPlot(static_cast<std::size_t>(plot)); });
+  connect(&feed_, &NoteFeed::reset, this, &DiagnosticsPanel::plotSoon);
+  connect(&feed_, &NoteFeed::grown, this, &DiagnosticsPanel::plotSoon);
+  connect(&axis_, &TimeAxis::changed, this, &DiagnosticsPanel::plotSoon);
+  connect(&session_, &Session::shownChanged, this, &DiagnosticsPanel::showCursor);
+  connect(&Theme::instance(), &Theme::changed, this, &DiagnosticsPanel::colour);
+  showPlot(0);
+}
+
+void DiagnosticsPanel::makeChart() {
+  chart_ = new QChart;
+  chart_->legend()->hide();
+  chart_->setMargins({0, 0, 0, 0});
+  chart_->setBackgroundVisible(false);
+  chart_->setContentsMargins(-4, -6, -4, -8);
+  time_ = new QValueAxis(chart_);
+  values_ = new QValueAxis(chart_);
+  others_ = new QValueAxis(chart_);
+  chart_->addAxis(time_, Qt::AlignBottom);
+  chart_->addAxis(values_, Qt::AlignLeft);
+  chart_->addAxis(others_, Qt::AlignRight);
+  for (QValueAxis* axis : {time_, values_, others_}) {
+    axis->setLabelsFont(Theme::numberFont(-2.0));
+    axis->setLabelFormat(QStringLiteral("%.3g"));
+    axis->setTickCount(axis == time_ ? 6 : 4);
+  }
+  others_->setGridLineVisible(false);
+  view_ = new QChartView(chart_, this);
+  view_->setRenderHint(QPainter::Antialiasing);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setBackgroundBrush(Qt::NoBrush);
+  view_->setStyleSheet(QStringLiteral("background: transparent;"));
+  view_->setMinimumSize(240, 110);
+  view_->setToolTip(tr("Click: go to that moment. The wheel over the timeline zooms."));
+  view_->viewport()->installEventFilter(this);
+  cursor_ = new QGraphicsLineItem(chart_);
+  cursor_->setZValue(20.0);
+}
+
+void DiagnosticsPanel::colour() {
+  const Colours& colours = Theme::instance().colours();
+  for (QValueAxis* axis : {time_, values_, others_}) {
+    axis->setLabelsColor(colours.dimText);
+    axis->setLinePenColor(colours.line);
+    axis->setGridLineColor(colours.line);
+  }
+  cursor_->setPen(QPen(colours.text, 1.2));
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    const QColor shown = plotColour(line);
+    lines_[line].series->setPen(QPen(shown, 1.7));
+    QPixmap swatch(12, 12);
+    swatch.fill(shown);
+    lines_[line].box->setIcon(QIcon(swatch));
+  }
+}
+
+void DiagnosticsPanel::showPlot(std::size_t plot) {
+  plot_ = plot;
+  choice_->button(static_cast<int>(plot))->setChecked(true);
+  makeLines();
+  colour();
+  plotNow();
+}
+
+void DiagnosticsPanel::makeLines() {
+  for (const Line& line : lines_) {
+    chart_->removeSeries(line.series);
+    delete line.series;
+    delete line.box;
+    delete line.value;
+  }
+  lines_.clear();
+  const Plot& plot = plots_[plot_];
+  unit_->setText(plot.unit);
+  bool other = false;
+  for (std::size_t place = 0; place < plot.lines.size(); ++place) {
+    Line line;
+    line.series = new QLineSeries(chart_);
+    chart_->addSeries(line.series);
+    line.series->attachAxis(time_);
+    line.series->attachAxis(plot.lines[place].ofItsOwn ? others_ : values_);
+    other |= plot.lines[place].ofItsOwn;
+    line.box = new QCheckBox(plot.lines[place].name, this);
+    line.box->setChecked(true);
+    line.box->setToolTip(tr("Show this line"));
+    line.value = new QLabel(this);
+    line.value->setFont(Theme::numberFont(-0.5));
+    line.value->setAlignment(Qt::AlignRight);
+    line.value->setMinimumWidth(72);
+    legend_->addWidget(line.box, static_cast<int>(place), 0);
+    legend_->addWidget(line.value, static_cast<int>(place), 1);
+    connect(line.box, &QCheckBox::toggled, line.series, &QLineSeries::setVisible);
+    connect(line.box, &QCheckBox::toggled, this, &DiagnosticsPanel::plotNow);
+    lines_.push_back(line);
+  }
+  others_->setVisible(other);
+}
+
+void DiagnosticsPanel::plotSoon() {
+  if (isVisible() && !timer_.isActive()) timer_.start();
+}
+
+void DiagnosticsPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  plotSoon();
+}
+
+void DiagnosticsPanel::plotNow() {
+  const double from = std::max(axis_.from(), 0.0);
+  const double to = std::min(axis_.to(), axis_.end());
+  const auto buckets = static_cast<std::size_t>(std::max(chart_->plotArea().width(), 100.0));
+  std::vector<QList<QPointF>> points;
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    points.push_back(decimated(feed_.notes(), plots_[plot_].lines[line], from, to, buckets));
+    lines_[line].series->replace(points.back());
+  }
+  time_->setRange(from, to);
+  fitValues(0, *values_, false, points);
+  fitValues(0, *others_, true, points);
+  showCursor();
+}
+
+void DiagnosticsPanel::fitValues(std::size_t from, QValueAxis& axis, bool ofItsOwn,
+                                 const std::vector<QList<QPointF>>& lines) {
+  double least = 0.0;
+  double most = 0.0;
+  for (std::size_t line = from; line < lines.size(); ++line) {
+    if (plots_[plot_].lines[line].ofItsOwn != ofItsOwn || !lines_[line].box->isChecked()) continue;
+    for (const QPointF& point : lines[line]) {
+      if (!std::isfinite(point.y())) continue;
+      least = std::min(least, point.y());
+      most = std::max(most, point.y());
+    }
+  }
+  const double room = 0.06 * (most - least);
+  axis.setRange(least < 0.0 ? least - room : 0.0, most > least ? most + room : 1.0);
+}
+
+std::size_t DiagnosticsPanel::presentFrame() const {
+  const std::size_t count = feed_.notes().size();
+  if (session_.followsRun()) return count > 0 ? count - 1 : 0;
+  return session_.playback().frame();
+}
+
+void DiagnosticsPanel::showCursor() {
+  if (!isVisible()) return;
+  const std::vector<FrameNote>& notes = feed_.notes();
+  const std::size_t frame = presentFrame();
+  const bool some = frame < notes.size();
+  cursor_->setVisible(some);
+  for (std::size_t line = 0; line < lines_.size(); ++line)
+    lines_[line].value->setText(some ? shortNumber(plots_[plot_].lines[line].value(notes[frame]))
+                                     : QString());
+  if (!some) return;
+  const QRectF area = chart_->plotArea();
+  const double x = chart_->mapToPosition({notes[frame].time, 0.0}, lines_[0].series).x();
+  cursor_->setLine(x, area.top(), x, area.bottom());
+  cursor_->setVisible(x >= area.left() - 1.0 && x <= area.right() + 1.0);
+}
+
+bool DiagnosticsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool press = event->type() == QEvent::MouseButtonPress;
+  if (!press && event->type() != QEvent::MouseMove) {
+    if (event->type() == QEvent::Resize) plotSoon();
+    return QWidget::eventFilter(watched, event);
+  }
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  if (!mouse->buttons().testFlag(Qt::LeftButton)) return QWidget::eventFilter(watched, event);
+  const QPointF at = chart_->mapFromScene(view_->mapToScene(mouse->position().toPoint()));
+  session_.playback().stop();
+  session_.playback().seekTime(chart_->mapToValue(at, lines_[0].series).x());
+  return true;
+}
+
+}  // namespace ui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QWidget>
+
+class QAction;
+class QLineEdit;
+class QListView;
+class QStackedWidget;
+
+namespace ui {
+
+class PlayActions;
+class Session;
+class TakesModel;
+
+/// The takes, newest last, with a picture of each; the one on the timeline is the selected one.
+class TakesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  TakesPanel(Session& session, PlayActions& actions, QWidget* parent = nullptr);
+
+ private:
+  QWidget* makeEmpty();
+  void makeButtons();
+  void showTakes();
+  void selectInList();
+  std::size_t selected() const;
+  void play();
+  void remove();
+  void saveAs();
+  void open();
+  void showMenu(const QPoint& at);
+
+  Session& session_;
+  PlayActions& actions_;
+  TakesModel* model_ = nullptr;
+  QStackedWidget* stack_ = nullptr;
+  QListView* list_ = nullptr;
+  QLineEdit* note_ = nullptr;
+  QWidget* bar_ = nullptr;
+  QAction* rename_ = nullptr;
+  QAction* play_ = nullptr;
+  QAction* remove_ = nullptr;
+  QAction* save_ = nullptr;
+  QAction* open_ = nullptr;
+};
+
+}  // namespace ui
