@@ -53,6 +53,7 @@ TEST_CASE("A click on a plot goes to that moment, and a line can be left out") {
   fixture.load(tests::fallingSlab());
   ui::NoteFeed feed(fixture.session);
   ui::TimeAxis axis;
+  axis.setWidth(800.0);
   axis.setEnd(0.1);
   ui::DiagnosticsPanel panel(fixture.session, feed, axis);
   panel.resize(800, 240);

@@ -82,6 +82,18 @@ void DirectionPad::mouseDoubleClickEvent(QMouseEvent*) {
   choose(-sim::Vec3::UnitZ());
 }
 
+/// Arrow keys are its own while it has the keyboard, not the timeline's.
+bool DirectionPad::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down) {
+      event->accept();
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
 void DirectionPad::keyPressEvent(QKeyEvent* event) {
   QPointF place = placeOf(direction_);
   const double step = kKeyStep / (0.5 * std::numbers::pi);

@@ -52,7 +52,9 @@ QSize TimeBar::minimumSizeHint() const {
 double TimeBar::cursorTime() const {
   if (session_.followsRun() && session_.shown().live && session_.shown().moment)
     return session_.shown().moment->time;
-  return session_.playback().time();
+  // That of the frame, not of the clock, which in slow motion runs on between two.
+  const std::size_t frame = session_.playback().frame();
+  return frame < feed_.notes().size() ? feed_.notes()[frame].time : 0.0;
 }
 
 double TimeBar::xOf(double time) const {
@@ -81,6 +83,7 @@ void TimeBar::countBreaks(std::size_t from) {
 void TimeBar::recount() {
   breaks_.assign(static_cast<std::size_t>(std::max(axis_.width(), 0.0)) + 1, 0);
   countBreaks(0);
+  shownCursor_ = xOf(cursorTime());
   update();
 }
 
@@ -107,7 +110,8 @@ void TimeBar::moveCursor() {
     return QRectF(at - kCursorReach, 0.0, 2.0 * kCursorReach, height()).toAlignedRect();
   };
   update(strip(shownCursor_));
-  update(strip(x));
+  shownCursor_ = x;
+  update(strip(shownCursor_));
 }
 
 void TimeBar::followState() {

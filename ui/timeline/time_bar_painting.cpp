@@ -161,7 +161,6 @@ void TimeBar::paintTicks(QPainter& painter, const QRect& dirty) {
 
 void TimeBar::paintCursor(QPainter& painter) {
   const Colours& colours = Theme::instance().colours();
-  shownCursor_ = xOf(cursorTime());
   verticalLine(painter, shownCursor_, kLoopHeight + 4, height(), colours.text, 1.5);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);

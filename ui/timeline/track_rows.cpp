@@ -46,7 +46,10 @@ TrackRows::TrackRows(Session& session, TimeAxis& axis, TimeBar& bar, QWidget* pa
   setAccessibleName(tr("Tracks"));
   connect(&session_.document(), &Document::sceneChanged, this, &TrackRows::fit);
   connect(&session_.selection(), &Selection::changed, this, qOverload<>(&QWidget::update));
-  connect(&axis_, &TimeAxis::changed, this, qOverload<>(&QWidget::update));
+  connect(&axis_, &TimeAxis::changed, this, [this] {
+    shownCursor_ = bar_.xOf(bar_.cursorTime());
+    update();
+  });
   connect(&session_, &Session::shownChanged, this, &TrackRows::moveCursor);
   fit();
 }
@@ -330,10 +333,16 @@ void TrackRows::moveCursor() {
   const double x = bar_.xOf(bar_.cursorTime());
   if (std::abs(x - shownCursor_) < 0.25) return;
   for (const double at : {shownCursor_, x}) update(QRectF(at - 2.0, 0.0, 4.0, height()).toAlignedRect());
+  shownCursor_ = x;
   update(QRect(0, 0, kTimelineHeader, height()));
 }
 
 bool TrackRows::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && selected_) {
+    // While a key is selected these are meant for it.
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Return) event->accept();
+  }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   QString tip;

@@ -56,7 +56,6 @@ void TrackRows::paintEvent(QPaintEvent* event) {
     painter.restore();
     horizontalLine(painter, 0, width(), row.bottom() - 0.5, colours.line);
   }
-  shownCursor_ = bar_.xOf(bar_.cursorTime());
   painter.setClipRect(timeArea);
   verticalLine(painter, shownCursor_, 0, height(), colours.text, 1.5);
   painter.setClipping(false);
