@@ -15,6 +15,8 @@ namespace ui {
 namespace {
 
 constexpr int kPlaces = 1000;
+/// px, so that sliders one below the other begin in a line.
+constexpr int kNameWidth = 74;
 
 }  // namespace
 
@@ -27,22 +29,22 @@ LiveSlider::LiveSlider(const QString& name, const QString& unit, const Range& ra
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(2);
-  grid->addWidget(name_, 0, 0, 1, 2);
-  grid->addWidget(slider_, 1, 0);
-  grid->addWidget(field_, 1, 1);
-  grid->setColumnStretch(0, 1);
+  grid->addWidget(name_, 0, 0);
+  grid->addWidget(slider_, 0, 1);
+  grid->addWidget(field_, 0, 2);
+  grid->setColumnStretch(1, 1);
+  name_->setFixedWidth(kNameWidth);
   slider_->setRange(0, kPlaces);
   slider_->setPageStep(kPlaces / 20);
   slider_->setAccessibleName(name);
   field_->setAccessibleName(name);
   field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field_->setRange(range.least, range.most);
-  field_->setDecimals(range.scale == Scale::logarithmic ? 4 : 2);
+  field_->setDecimals(range.scale == Scale::logarithmic ? 3 : 2);
   field_->setSuffix(unit);
   field_->setFont(Theme::numberFont(-0.5));
   field_->setAlignment(Qt::AlignRight);
-  field_->setFixedWidth(96);
+  field_->setFixedWidth(88);
   field_->setKeyboardTracking(false);
   name_->installEventFilter(this);
   name_->setToolTip(tr("Double-click: back to the usual value"));

@@ -53,6 +53,7 @@ void MainWindow::makeDocks() {
   QDockWidget* plotsDock =
       addDock(QStringLiteral("diagnostics"), tr("Diagnostics"), plots, Qt::BottomDockWidgetArea);
   splitDockWidget(plotsDock, dock, Qt::Vertical);
+  plotsDock->toggleViewAction()->setShortcut(QKeySequence(Qt::Key_F9));
   plotsDock->hide();
   addDock(QStringLiteral("live"), tr("Live"), new LivePanel(session_, *viewport_, *playActions_, this),
           Qt::RightDockWidgetArea);
