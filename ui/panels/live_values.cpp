@@ -99,28 +99,28 @@ void setLiveValue(Scene& scene, TrackTarget target, double time, const TrackValu
   }
 }
 
+/// Back to what it will be by then without this: another hiccup may be under way.
 LiveKeys hiccup(const Scene& scene, double time) {
-  const LiveValues now = liveValuesAt(scene, time);
-  const double strength = now.gravity.norm();
+  const double end = time + kHiccupSeconds;
+  const double strength = gravityAt(scene, time).norm();
   if (strength < 1e-6 * kStandardGravity) {
     // Nothing to multiply: it jumps down, and back to nothing.
     const sim::Vec3 down(0.0, 0.0, -kHiccupGravity * kStandardGravity);
-    return {{TrackTarget::gravity, {}}, {{0.0, down}, {kHiccupSeconds, now.gravity}}};
+    return {{TrackTarget::gravity, {}}, {{0.0, down}, {kHiccupSeconds, gravityAt(scene, end)}}};
   }
-  const auto scale = [&](double total) {
-    return performedScale(scene, TrackTarget::gravityScale, time, total);
-  };
-  const double jump = kHiccupGravity * kStandardGravity / strength;
-  return {{TrackTarget::gravityScale, {}}, {{0.0, scale(jump)}, {kHiccupSeconds, scale(now.gravityScale)}}};
+  const TrackTarget target = TrackTarget::gravityScale;
+  const double jump = performedScale(scene, target, time, kHiccupGravity * kStandardGravity / strength);
+  const double back = performedScale(scene, target, end, liveValuesAt(scene, end).gravityScale);
+  return {{target, {}}, {{0.0, jump}, {kHiccupSeconds, back}}};
 }
 
 LiveKeys sneeze(const Scene& scene, double time) {
-  const double now = liveValuesAt(scene, time).stiffness;
-  const auto scale = [&](double total) {
-    return performedScale(scene, TrackTarget::stiffnessScale, time, total);
-  };
-  return {{TrackTarget::stiffnessScale, {}},
-          {{0.0, scale(kSneezeSoftness * now)}, {kSneezeSeconds, scale(now)}}};
+  const double end = time + kSneezeSeconds;
+  const TrackTarget target = TrackTarget::stiffnessScale;
+  const double usual = liveValuesAt(scene, end).stiffness;
+  const double soft = performedScale(scene, target, time, kSneezeSoftness * usual);
+  const double back = performedScale(scene, target, end, usual);
+  return {{target, {}}, {{0.0, soft}, {kSneezeSeconds, back}}};
 }
 
 LiveTouch poke(const sim::Vec3& point, const sim::Vec3& direction, double size) {
