@@ -140,6 +140,7 @@ Result<Network> buildNetwork(Blueprint blueprint, std::uint64_t seed) {
   copyNodes(blueprint, network);
   copyBonds(blueprint, network);
   network.cells = std::move(blueprint.cells);
+  network.cells.shrink_to_fit();
   findRadii(network);
   network.thresholds.reserve(network.bondCount());
   for (BondIndex b = 0; b < network.bondCount(); ++b) {

@@ -113,8 +113,8 @@ std::optional<std::string> Network::validate() const {
 std::size_t Network::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return bytes(positions) + bytes(velocities) + bytes(masses) + bytes(radii) + bytes(nodeMaterials) +
-         bytes(nodeParts) + bytes(firstBond) + bytes(bondEnds) + bytes(bondClasses) + bytes(thresholds) +
-         bytes(classes) + bytes(cells);
+         bytes(nodeParts) + bytes(firstBond) + bytes(bondEnds) + bondClasses.memoryBytes() +
+         bytes(thresholds) + bytes(classes) + bytes(cells);
 }
 
 }  // namespace sim

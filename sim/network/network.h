@@ -9,6 +9,7 @@
 
 #include "sim/base/result.h"
 #include "sim/base/types.h"
+#include "sim/network/class_indices.h"
 
 namespace sim {
 
@@ -59,7 +60,7 @@ struct Network {
   // Bonds, sorted. Bond b joins node a, where firstBond[a] <= b < firstBond[a + 1], with bondEnds[b] > a.
   std::vector<BondIndex> firstBond;  ///< nodeCount() + 1 entries
   std::vector<NodeIndex> bondEnds;
-  std::vector<std::uint32_t> bondClasses;
+  ClassIndices bondClasses;
   std::vector<float> thresholds;  ///< t_ij, already varied at random; infinite: unbreakable
 
   std::vector<BondClass> classes;

@@ -10,7 +10,7 @@ namespace {
 // A member added to one of these must be stored too, and kTakeVersion raised.
 static_assert(sizeof(BondClass) == 4 * sizeof(double));
 static_assert(sizeof(Material) == sizeof(std::string) + 4 * sizeof(double));
-static_assert(sizeof(Network) == 14 * sizeof(std::vector<int>));
+static_assert(sizeof(Network) == sizeof(ClassIndices) + 13 * sizeof(std::vector<int>));
 static_assert(sizeof(TakeHeader) == 2 * sizeof(std::string) + 2 * sizeof(double));
 
 /// As many as MaterialIndex and PartIndex can tell apart.
@@ -140,7 +140,7 @@ ByteWriter encodeNetwork(const Network& network) {
   putPlanes(writer, network.nodeParts);
   putPlanes(writer, rowLengths(network));
   putPlanes(writer, reaches(network));
-  putPlanes(writer, network.bondClasses);
+  putPlanes(writer, network.bondClasses.inFull());
   putPlanes(writer, network.thresholds);
   putPlanes(writer, network.cells);
   putClasses(writer, network.classes);
@@ -154,6 +154,7 @@ Result<Network> decodeNetwork(std::span<const std::byte> content) {
   ByteReader reader(content);
   Network network;
   std::vector<std::uint32_t> lengths;
+  std::vector<std::uint32_t> classes;
   readPlanes(reader, network.positions);
   readPlanes(reader, network.velocities);
   readPlanes(reader, network.masses);
@@ -162,7 +163,8 @@ Result<Network> decodeNetwork(std::span<const std::byte> content) {
   readPlanes(reader, network.nodeParts);
   readPlanes(reader, lengths, network.nodeCount());
   readPlanes(reader, network.bondEnds);
-  readPlanes(reader, network.bondClasses);
+  readPlanes(reader, classes);
+  network.bondClasses = ClassIndices(classes);
   readPlanes(reader, network.thresholds);
   readPlanes(reader, network.cells);
   readClasses(reader, network.classes);

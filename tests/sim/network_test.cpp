@@ -101,6 +101,22 @@ TEST_CASE("what cannot be a network is refused, and the offender named") {
              Catch::Contains("cell 0"));
 }
 
+TEST_CASE("class indices are kept whether two bytes can hold them or not") {
+  const std::vector<std::uint32_t> small = {3, 0, 65535};
+  const std::vector<std::uint32_t> large = {3, 0, 65536, 7};
+  const std::vector<std::uint32_t> largeFirst = {4000000000, 1};
+  for (const std::vector<std::uint32_t>& indices : {small, large, largeFirst}) {
+    sim::ClassIndices kept(indices);
+    REQUIRE(kept.size() == indices.size());
+    CHECK(kept.inFull() == indices);
+    for (std::size_t i = 0; i < indices.size(); ++i) CHECK(kept[i] == indices[i]);
+    kept.set(1, 70000);
+    CHECK(kept[0] == indices[0]);
+    CHECK(kept[1] == 70000);
+  }
+  CHECK(sim::ClassIndices(small).memoryBytes() < sim::ClassIndices(large).memoryBytes());
+}
+
 TEST_CASE("an invariant broken by hand is found") {
   const sim::Network sound = tests::built(tests::block({}));
   const auto found = [&](auto&& spoil) {
@@ -112,7 +128,7 @@ TEST_CASE("an invariant broken by hand is found") {
   CHECK(found([](sim::Network& network) { network.radii.pop_back(); }));
   CHECK(found([](sim::Network& network) { std::swap(network.bondEnds[0], network.bondEnds[1]); }));
   CHECK(found([](sim::Network& network) { network.firstBond[3] = network.firstBond[4] + 1; }));
-  CHECK(found([](sim::Network& network) { network.bondClasses[5] = 1000; }));
+  CHECK(found([](sim::Network& network) { network.bondClasses.set(5, 1000); }));
   CHECK(found([](sim::Network& network) { network.thresholds[5] = 0.0F; }));
   CHECK(found([](sim::Network& network) { network.masses[5] = NAN; }));
   CHECK(found([](sim::Network& network) { network.cells[0][1] = network.cells[0][0]; }));
