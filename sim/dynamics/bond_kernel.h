@@ -41,9 +41,10 @@ struct BondSlot {
   bool gathered : 1;
   bool varied : 1;
   bool plastic : 1;
-  bool damped : 1;  ///< some lane has a damper
-  bool tested : 1;  ///< this end of the bonds tests them for breaking (the other end need not)
-  bool exact : 1;   ///< always evaluated in double: see FloatReference
+  bool damped : 1;    ///< some lane has a damper
+  bool tested : 1;    ///< this end of the bonds tests them for breaking (the other end need not)
+  bool exact : 1;     ///< always evaluated in double: see FloatReference
+  bool straight : 1;  ///< in the reference all its bonds are one vector, FloatConstants::bond
 };
 static_assert(sizeof(BondSlot) == 16);
 
@@ -53,6 +54,14 @@ struct MaterialNow {
   double dampingScale = 1.0;
   double yieldStrain = 0.0;
   double flow = 0.0;  ///< share of the excess strain that flows in this step, at most 1
+};
+
+/// SlotConstants as the float kernel reads them.
+struct FloatConstants {
+  float stiffness;
+  float restLength;
+  float damping;
+  float bond[3];  ///< e0, cm, of straight slots
 };
 
 /// SlotLanes as the float kernel reads them.
@@ -77,6 +86,9 @@ struct ReferenceFrame {
 ///   num = du . (2 e0 + du), extension = num / (sqrt(L^2 + num) + L),
 /// nothing of which cancels: rounding of u and e0 costs 6e-8 of u and of du, not of the position. Slots whose
 /// bonds are not at rest in the reference, or flow (by less a step than a float resolves), are `exact`.
+///
+/// A step that moves nodes can displace them at once where they arrive, while their positions are in
+/// registers: reading the state once more would cost as much memory traffic as the rest of a step.
 struct FloatReference {
   const ReferenceFrame* frames;
   const std::uint32_t* frameOfNode;  ///< padded to whole blocks
@@ -85,7 +97,10 @@ struct FloatReference {
   const float* remainder[3];         ///< X in double is position + remainder
   float* displacement[3];            ///< u, cm
   float* velocity[3];                ///< in the axes of the reference, cm/s
-  const FloatLanes* lanes;           ///< by the index of SlotLanes
+  float* nextDisplacement[3];        ///< the same of where the step leads, unless null
+  float* nextVelocity[3];
+  const FloatConstants* constants;  ///< by the index of SlotConstants
+  const FloatLanes* lanes;          ///< by the index of SlotLanes
   bool anyExact;
 };
 
@@ -145,7 +160,8 @@ enum class KernelKind { automatic, plain, avx2, avx512 };
 /// is.
 StepBlocks stepBlocksFor(KernelKind kind);
 
-/// Forces in float. First displacements and velocities of all blocks that are stepped, then the step.
+/// Forces in float. First displacements and velocities of all blocks that are stepped, unless the step before
+/// wrote them; then the step.
 struct FloatKernel {
   void (*displaceBlocks)(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock);
   StepBlocks stepBlocks;

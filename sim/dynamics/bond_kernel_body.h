@@ -206,49 +206,49 @@ SMITHEREENS_INLINE void addExternal(const KernelStep& step, std::size_t node, Ga
   sum.forceZ += load(step.external[2] + node) - load(step.externalLossy[2] + node);
 }
 
-/// Kick and drift of one coordinate; returns the work done against lossy forces, or its rate where only
-/// accelerations are wanted.
-SMITHEREENS_INLINE Real moveAxis(const KernelStep& step, int axis, std::size_t node, const Real& position,
-                                 const Real& velocity, const Real& force, const Real& lossy,
-                                 const Real& inverseMass, Real& speedSquared) {
+/// Kick and drift of one coordinate, which move position and velocity on; returns the work done against lossy
+/// forces, or its rate where only accelerations are wanted.
+SMITHEREENS_INLINE Real moveAxis(const KernelStep& step, int axis, std::size_t node, Real& position,
+                                 Real& velocity, const Real& force, const Real& lossy,
+                                 const Real& inverseMass) {
   Real acceleration = (force + lossy) * inverseMass + step.gravity[axis];
   where(inverseMass == 0.0, acceleration) = 0.0;
   if (step.accelerationOnly) {
     acceleration.copy_to(step.nextVelocity[axis] + node, stdx::element_aligned);
     return -lossy * velocity;
   }
-  const Real next = multiplyAdd(step.kick, acceleration, velocity);
-  const Real moved = multiplyAdd(step.drift, step.driftByOldVelocity ? velocity : next, position);
-  next.copy_to(step.nextVelocity[axis] + node, stdx::element_aligned);
-  moved.copy_to(step.nextPosition[axis] + node, stdx::element_aligned);
-  speedSquared += next * next;
-  return -0.5 * step.kick * lossy * (velocity + next);
+  const Real before = velocity;
+  velocity = multiplyAdd(step.kick, acceleration, before);
+  position = multiplyAdd(step.drift, step.driftByOldVelocity ? before : velocity, position);
+  velocity.copy_to(step.nextVelocity[axis] + node, stdx::element_aligned);
+  position.copy_to(step.nextPosition[axis] + node, stdx::element_aligned);
+  return -0.5 * step.kick * lossy * (before + velocity);
 }
 
+/// Moves position and velocity on, here and in the arrays.
 SMITHEREENS_INLINE void moveLanes(const KernelStep& step, std::size_t block, std::size_t node,
-                                  const Triple& position, const Triple& velocity, Gathered& sum,
-                                  BlockReport& report) {
+                                  Triple& position, Triple& velocity, Gathered& sum, BlockReport& report) {
   if (step.hasExternal[block] != 0) addExternal(step, node, sum);
   const Real inverseMass = load(step.inverseMass + node);
-  Real speedSquared = 0.0;
   Real work = sum.flowed;
-  work += moveAxis(step, 0, node, position.x, velocity.x, sum.forceX, sum.lossyX, inverseMass, speedSquared);
-  work += moveAxis(step, 1, node, position.y, velocity.y, sum.forceY, sum.lossyY, inverseMass, speedSquared);
-  work += moveAxis(step, 2, node, position.z, velocity.z, sum.forceZ, sum.lossyZ, inverseMass, speedSquared);
+  work += moveAxis(step, 0, node, position.x, velocity.x, sum.forceX, sum.lossyX, inverseMass);
+  work += moveAxis(step, 1, node, position.y, velocity.y, sum.forceY, sum.lossyY, inverseMass);
+  work += moveAxis(step, 2, node, position.z, velocity.z, sum.forceZ, sum.lossyZ, inverseMass);
 
   report.dissipated += stdx::reduce(work);
-  // The largest of numbers among which there is one that is none would be any of them.
-  const double largest =
-      stdx::all_of(speedSquared == speedSquared) ? stdx::hmax(speedSquared) : stdx::reduce(speedSquared);
-  if (!(largest <= report.largestSpeedSquared)) report.largestSpeedSquared = largest;
   report.suspect |= sum.suspect;
+  if (step.accelerationOnly) return;
+  const Real squared = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
+  // The largest of numbers among which there is one that is none would be any of them.
+  const double largest = stdx::all_of(squared == squared) ? stdx::hmax(squared) : stdx::reduce(squared);
+  if (!(largest <= report.largestSpeedSquared)) report.largestSpeedSquared = largest;
 }
 
 SMITHEREENS_INLINE void stepLanes(const KernelStep& step, std::size_t block, std::size_t lane,
                                   BlockReport& report) {
   const std::size_t node = block * kBlockNodes + lane;
-  const Triple position = loadTriple(step.now.position, node);
-  const Triple velocity = loadTriple(step.now.velocity, node);
+  Triple position = loadTriple(step.now.position, node);
+  Triple velocity = loadTriple(step.now.velocity, node);
   Gathered sum;
   const BondSlot* slot = step.slots + step.firstSlot[block];
   const BondSlot* const end = slot + step.slotCount[block];

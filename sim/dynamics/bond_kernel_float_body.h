@@ -89,22 +89,20 @@ struct SingleConstants {
 
 SMITHEREENS_INLINE SingleConstants singleConstantsOf(const KernelStep& step, const BondSlot& slot,
                                                      std::size_t lane) {
-  const MaterialNow& material = step.materials[slot.material];
+  const auto stiffnessScale = static_cast<float>(step.materials[slot.material].stiffnessScale);
+  const auto dampingScale = static_cast<float>(step.materials[slot.material].dampingScale);
   if (!slot.varied) {
-    const SlotConstants& shared = step.constants[slot.constants];
-    return {static_cast<float>(shared.stiffness * material.stiffnessScale),
-            static_cast<float>(shared.restLength),
-            static_cast<float>(shared.damping * material.dampingScale)};
+    const FloatConstants& shared = step.reference->constants[slot.constants];
+    return {shared.stiffness * stiffnessScale, shared.restLength, shared.damping * dampingScale};
   }
   const FloatLanes& lanes = step.reference->lanes[slot.constants];
-  return {load(lanes.stiffness + lane) * static_cast<float>(material.stiffnessScale),
-          load(lanes.restLength + lane),
-          load(lanes.damping + lane) * static_cast<float>(material.dampingScale)};
+  return {load(lanes.stiffness + lane) * stiffnessScale, load(lanes.restLength + lane),
+          load(lanes.damping + lane) * dampingScale};
 }
 
 /// Of one run of lanes, in the axes of the reference.
 struct SingleNode {
-  SingleTriple reference, displacement, velocity;
+  SingleTriple displacement, velocity;
 };
 
 struct SingleSums {
@@ -116,20 +114,36 @@ struct SingleSums {
 /// Slots are suspect by so much less than their thresholds: rounding of L / r.
 constexpr float kSuspectSlack = 5e-7F;
 
-template <bool kGathered>
+enum class Reach { straight, bent, gathered };
+
+template <Reach kReach>
+SMITHEREENS_INLINE SingleTriple loadNeighbours(const KernelStep& step, const BondSlot& slot, std::size_t node,
+                                               std::size_t lane, const float* const arrays[3]) {
+  if constexpr (kReach == Reach::gathered) return gatherTriple(arrays, step.gathers + slot.where + lane);
+  return loadTriple(arrays, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + slot.where));
+}
+
+/// The bonds in the reference.
+template <Reach kReach>
+SMITHEREENS_INLINE SingleTriple loadBonds(const KernelStep& step, const BondSlot& slot, std::size_t node,
+                                          std::size_t lane) {
+  const FloatReference& reference = *step.reference;
+  if constexpr (kReach == Reach::straight) {
+    const float* const shared = reference.constants[slot.constants].bond;
+    return {shared[0], shared[1], shared[2]};
+  }
+  return difference(loadNeighbours<kReach>(step, slot, node, lane, reference.position),
+                    loadTriple(reference.position, node));
+}
+
+template <Reach kReach>
 SMITHEREENS_INLINE void addSingleSlot(const KernelStep& step, const BondSlot& slot, std::size_t node,
                                       std::size_t lane, unsigned bits, const SingleNode& here,
                                       SingleSums& sum) {
-  const auto loadThere = [&](const float* const arrays[3]) {
-    if constexpr (kGathered) {
-      return gatherTriple(arrays, step.gathers + slot.where + lane);
-    } else {
-      return loadTriple(arrays, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + slot.where));
-    }
-  };
   const FloatReference& reference = *step.reference;
-  const SingleTriple moved = difference(loadThere(reference.displacement), here.displacement);
-  const SingleTriple bond = difference(loadThere(reference.position), here.reference);
+  const SingleTriple moved =
+      difference(loadNeighbours<kReach>(step, slot, node, lane, reference.displacement), here.displacement);
+  const SingleTriple bond = loadBonds<kReach>(step, slot, node, lane);
   const SingleTriple apart{bond.x + moved.x, bond.y + moved.y, bond.z + moved.z};
   const SingleTriple both{apart.x + bond.x, apart.y + bond.y, apart.z + bond.z};
   const SingleConstants constants = singleConstantsOf(step, slot, lane);
@@ -152,7 +166,8 @@ SMITHEREENS_INLINE void addSingleSlot(const KernelStep& step, const BondSlot& sl
   sum.forceY = multiplyAdd(elastic, apart.y, sum.forceY);
   sum.forceZ = multiplyAdd(elastic, apart.z, sum.forceZ);
   if (!slot.damped) return;
-  const Single approach = dot(difference(loadThere(reference.velocity), here.velocity), apart);
+  const SingleTriple velocity = loadNeighbours<kReach>(step, slot, node, lane, reference.velocity);
+  const Single approach = dot(difference(velocity, here.velocity), apart);
   const Single lossy = constants.damping * approach * (inverse * inverse);
   sum.lossyX = multiplyAdd(lossy, apart.x, sum.lossyX);
   sum.lossyY = multiplyAdd(lossy, apart.y, sum.lossyY);
@@ -169,8 +184,7 @@ SMITHEREENS_INLINE void gatherSingles(const KernelStep& step, std::size_t block,
                                       BlockForces& forces) {
   const FloatReference& reference = *step.reference;
   const std::size_t node = block * kBlockNodes + lane;
-  const SingleNode here{loadTriple(reference.position, node), loadTriple(reference.displacement, node),
-                        loadTriple(reference.velocity, node)};
+  const SingleNode here{loadTriple(reference.displacement, node), loadTriple(reference.velocity, node)};
   SingleSums sum;
   const BondSlot* slot = step.slots + step.firstSlot[block];
   const BondSlot* const end = slot + step.slotCount[block];
@@ -178,10 +192,12 @@ SMITHEREENS_INLINE void gatherSingles(const KernelStep& step, std::size_t block,
   for (; slot != end; ++slot) {
     const unsigned bits = ((slot->live & awake) >> lane) & kAllSingleLanes;
     if (bits == 0 || slot->exact) continue;
-    if (slot->gathered) {
-      addSingleSlot<true>(step, *slot, node, lane, bits, here, sum);
+    if (slot->straight) {
+      addSingleSlot<Reach::straight>(step, *slot, node, lane, bits, here, sum);
+    } else if (slot->gathered) {
+      addSingleSlot<Reach::gathered>(step, *slot, node, lane, bits, here, sum);
     } else {
-      addSingleSlot<false>(step, *slot, node, lane, bits, here, sum);
+      addSingleSlot<Reach::bent>(step, *slot, node, lane, bits, here, sum);
     }
   }
   const Single* const sums[6] = {&sum.forceX, &sum.forceY, &sum.forceZ,
@@ -246,35 +262,14 @@ SMITHEREENS_INLINE void addExactSlots(const KernelStep& step, std::size_t block,
   }
 }
 
-SMITHEREENS_INLINE void finishLanes(const KernelStep& step, std::size_t block, std::size_t lane,
-                                    const BlockForces& forces, BlockReport& report) {
-  const std::size_t node = block * kBlockNodes + lane;
-  const Triple position = loadTriple(step.now.position, node);
-  const Triple velocity = loadTriple(step.now.velocity, node);
-  Gathered sum;
-  sum.suspect = forces.suspect;
-  if (step.reference->anyExact) addExactSlots(step, block, lane, position, velocity, sum);
-  const Frame frame = frameOf(*step.reference, block, node);
-  const Triple elastic = toWorld(frame, forces.axis, lane);
-  const Triple lossy = toWorld(frame, forces.axis + 3, lane);
-  sum.forceX += elastic.x;
-  sum.forceY += elastic.y;
-  sum.forceZ += elastic.z;
-  sum.lossyX += lossy.x;
-  sum.lossyY += lossy.y;
-  sum.lossyZ += lossy.z;
-  moveLanes(step, block, node, position, velocity, sum, report);
-}
-
 SMITHEREENS_INLINE void storeSingle(const Real& value, float* to) {
   value.copy_to(to, stdx::element_aligned);
 }
 
-SMITHEREENS_INLINE void displaceLanes(const KernelStep& step, std::size_t block, std::size_t node) {
-  const FloatReference& reference = *step.reference;
-  const Frame frame = frameOf(reference, block, node);
-  const Triple position = loadTriple(step.now.position, node);
-  const Triple velocity = loadTriple(step.now.velocity, node);
+/// Displacement and velocity in the axes of the reference, for the float kernel.
+SMITHEREENS_INLINE void displaceLanes(const FloatReference& reference, const Frame& frame, std::size_t node,
+                                      const Triple& position, const Triple& velocity,
+                                      float* const displacements[3], float* const velocities[3]) {
   const Real armX = position.x - frame.origin[0];
   const Real armY = position.y - frame.origin[1];
   const Real armZ = position.z - frame.origin[2];
@@ -284,19 +279,45 @@ SMITHEREENS_INLINE void displaceLanes(const KernelStep& step, std::size_t block,
     const Real z = frame.rotation[6 + k];
     const Real rest = loadDouble(reference.position[k] + node) - frame.centre[k] +
                       loadDouble(reference.remainder[k] + node);
-    storeSingle(multiplyAdd(z, armZ, multiplyAdd(y, armY, x * armX)) - rest,
-                reference.displacement[k] + node);
-    storeSingle(multiplyAdd(z, velocity.z, multiplyAdd(y, velocity.y, x * velocity.x)),
-                reference.velocity[k] + node);
+    storeSingle(multiplyAdd(z, armZ, multiplyAdd(y, armY, x * armX)) - rest, displacements[k] + node);
+    storeSingle(multiplyAdd(z, velocity.z, multiplyAdd(y, velocity.y, x * velocity.x)), velocities[k] + node);
   }
+}
+
+SMITHEREENS_INLINE void finishLanes(const KernelStep& step, std::size_t block, std::size_t lane,
+                                    const BlockForces& forces, BlockReport& report) {
+  const FloatReference& reference = *step.reference;
+  const std::size_t node = block * kBlockNodes + lane;
+  Triple position = loadTriple(step.now.position, node);
+  Triple velocity = loadTriple(step.now.velocity, node);
+  Gathered sum;
+  sum.suspect = forces.suspect;
+  if (reference.anyExact) addExactSlots(step, block, lane, position, velocity, sum);
+  const Frame frame = frameOf(reference, block, node);
+  const Triple elastic = toWorld(frame, forces.axis, lane);
+  const Triple lossy = toWorld(frame, forces.axis + 3, lane);
+  sum.forceX += elastic.x;
+  sum.forceY += elastic.y;
+  sum.forceZ += elastic.z;
+  sum.lossyX += lossy.x;
+  sum.lossyY += lossy.y;
+  sum.lossyZ += lossy.z;
+  moveLanes(step, block, node, position, velocity, sum, report);
+  if (reference.nextDisplacement[0] == nullptr) return;
+  displaceLanes(reference, frame, node, position, velocity, reference.nextDisplacement,
+                reference.nextVelocity);
 }
 
 }  // namespace
 
 void displaceBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock) {
+  const FloatReference& reference = *step.reference;
   for (std::size_t block = firstBlock; block < lastBlock; ++block) {
-    for (std::size_t lane = 0; lane < kBlockNodes; lane += kWidth)
-      displaceLanes(step, block, block * kBlockNodes + lane);
+    for (std::size_t lane = 0; lane < kBlockNodes; lane += kWidth) {
+      const std::size_t node = block * kBlockNodes + lane;
+      displaceLanes(reference, frameOf(reference, block, node), node, loadTriple(step.now.position, node),
+                    loadTriple(step.now.velocity, node), reference.displacement, reference.velocity);
+    }
   }
 }
 

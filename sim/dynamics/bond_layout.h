@@ -56,6 +56,7 @@ class BondLayout {
   bool hasPlastic() const { return hasPlastic_; }
 
   /// For forces in float.
+  const FloatConstants* floatConstants() const { return floatConstants_.data(); }
   const FloatLanes* floatLanes() const { return floatLanes_.data(); }
   bool hasExact() const { return hasExact_; }
 
@@ -76,10 +77,12 @@ class BondLayout {
   mutable AlignedVector<BondSlot> slots_;
   std::vector<std::uint32_t> firstSlot_;
   std::vector<std::uint16_t> slotCount_;
-  std::vector<SlotConstants> constants_;  ///< the classes of uniform slots
+  std::vector<SlotConstants>
+      constants_;  ///< of uniform slots: a class, or where forces are float, a class and a direction
   mutable AlignedVector<SlotLanes> lanes_;
   std::vector<std::uint32_t> gathers_;
-  AlignedVector<FloatLanes> floatLanes_;  ///< as lanes_; empty where forces are double
+  std::vector<FloatConstants> floatConstants_;  ///< as constants_; empty where forces are double
+  AlignedVector<FloatLanes> floatLanes_;        ///< as lanes_, likewise
   bool hasPlastic_ = false;
   bool hasExact_ = false;
   std::uint64_t untestedEnds_ = 0;  ///< bonds seen from either end

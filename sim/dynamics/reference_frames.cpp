@@ -3,8 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/parallel.h"
+
 namespace sim {
 namespace {
+
+/// Blocks whose sums are added up one after the other. Fixed, so that results do not depend on the number of
+/// threads.
+constexpr std::size_t kBlocksPerSum = 64;
 
 using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
@@ -54,10 +60,12 @@ RowMajor3 rotationOf(const Eigen::Matrix3d& products, const RowMajor3& near) {
 }  // namespace
 
 ReferenceFrames::ReferenceFrames(const Network& network, const Components& components)
-    : shape_(network.nodeCount()),
-      remainder_(shape_),
-      displacement_(shape_),
-      velocity_(shape_),
+    : shape_(network.nodeCount(), 4),
+      remainder_(network.nodeCount(), 5),
+      displacement_(network.nodeCount(), 6),
+      velocity_(network.nodeCount(), 7),
+      nextDisplacement_(network.nodeCount(), 8),
+      nextVelocity_(network.nodeCount(), 9),
       mixed_(NodeVectors::paddedCount(network.nodeCount()) / kBlockNodes) {
   std::vector<Vec3> centres(components.births().size(), Vec3::Zero());
   std::vector<double> counts(centres.size(), 0.0);
@@ -95,27 +103,50 @@ void ReferenceFrames::nameFrames(const Components& components) {
   }
 }
 
-void ReferenceFrames::fit(const NodeVectors& positions, const Activity& activity) {
-  struct Sums {
-    double count = 0.0;
-    Vec3 shape = Vec3::Zero();
-    Vec3 position = Vec3::Zero();
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  };
-  std::vector<Sums> sums(frames_.size());
-  for (const std::size_t block : activity.activeBlocks()) {
+/// Of consecutive nodes of one frame, about the frame of before, which is near.
+struct ReferenceFrames::Sums {
+  std::uint32_t frame = 0;
+  double count = 0.0;
+  Vec3 shape = Vec3::Zero();
+  Vec3 position = Vec3::Zero();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+
+  void operator+=(const Sums& other) {
+    count += other.count;
+    shape += other.shape;
+    position += other.position;
+    products += other.products;
+  }
+};
+
+void ReferenceFrames::sumUp(const NodeVectors& positions, std::span<const std::uint32_t> blocks,
+                            std::vector<Sums>& sums) const {
+  for (const std::size_t block : blocks) {
     const std::size_t end = std::min(positions.size(), (block + 1) * kBlockNodes);
     for (std::size_t node = block * kBlockNodes; node < end; ++node) {
+      if (sums.empty() || sums.back().frame != frameOfNode_[node]) sums.push_back({frameOfNode_[node]});
       const ReferenceFrame& frame = frames_[frameOfNode_[node]];
-      Sums& sum = sums[frameOfNode_[node]];
-      // About the frame of before, which is near.
       const Vec3 shape = shapeAt(node) - Eigen::Map<const Vec3>(frame.centre);
       const Vec3 position = positions.get(node) - Eigen::Map<const Vec3>(frame.origin);
+      Sums& sum = sums.back();
       sum.count += 1.0;
       sum.shape += shape;
       sum.position += position;
       sum.products += position * shape.transpose();
     }
+  }
+}
+
+void ReferenceFrames::fit(const NodeVectors& positions, const Activity& activity) {
+  const std::span<const std::uint32_t> blocks = activity.activeBlocks();
+  std::vector<std::vector<Sums>> parts((blocks.size() + kBlocksPerSum - 1) / kBlocksPerSum);
+  parallelFor(parts.size(), [&](std::size_t part) {
+    const std::size_t first = part * kBlocksPerSum;
+    sumUp(positions, blocks.subspan(first, std::min(kBlocksPerSum, blocks.size() - first)), parts[part]);
+  });
+  std::vector<Sums> sums(frames_.size());
+  for (const std::vector<Sums>& part : parts) {
+    for (const Sums& run : part) sums[run.frame] += run;
   }
   for (std::size_t fragment = 0; fragment < frames_.size(); ++fragment) {
     const Sums& sum = sums[fragment];
@@ -127,9 +158,16 @@ void ReferenceFrames::fit(const NodeVectors& positions, const Activity& activity
     Eigen::Map<Vec3>(frame.centre) += sum.shape / sum.count;
     Eigen::Map<Vec3>(frame.origin) += sum.position / sum.count;
   }
+  displaced_ = false;
 }
 
-FloatReference ReferenceFrames::describe(const BondLayout& layout) {
+void ReferenceFrames::noteStepped() {
+  std::swap(displacement_, nextDisplacement_);
+  std::swap(velocity_, nextVelocity_);
+  displaced_ = true;
+}
+
+FloatReference ReferenceFrames::describe(const BondLayout& layout, bool displaceNext) {
   FloatReference reference{};
   reference.frames = frames_.data();
   reference.frameOfNode = frameOfNode_.data();
@@ -139,7 +177,10 @@ FloatReference ReferenceFrames::describe(const BondLayout& layout) {
     reference.remainder[k] = remainder_.axis(k);
     reference.displacement[k] = displacement_.axis(k);
     reference.velocity[k] = velocity_.axis(k);
+    reference.nextDisplacement[k] = displaceNext ? nextDisplacement_.axis(k) : nullptr;
+    reference.nextVelocity[k] = displaceNext ? nextVelocity_.axis(k) : nullptr;
   }
+  reference.constants = layout.floatConstants();
   reference.lanes = layout.floatLanes();
   reference.anyExact = layout.hasExact();
   return reference;
@@ -157,10 +198,11 @@ bool ReferenceFrames::read(ByteReader& reader, std::size_t fragments, std::vecto
 void ReferenceFrames::restore(std::vector<ReferenceFrame> frames, const Components& components) {
   frames_ = std::move(frames);
   nameFrames(components);
+  displaced_ = false;
 }
 
 std::size_t ReferenceFrames::memoryBytes() const {
-  return 4 * shape_.memoryBytes() + frames_.capacity() * sizeof(ReferenceFrame) +
+  return 6 * shape_.memoryBytes() + frames_.capacity() * sizeof(ReferenceFrame) +
          frameOfNode_.capacity() * sizeof(std::uint32_t) + mixed_.capacity();
 }
 

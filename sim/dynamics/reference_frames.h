@@ -29,8 +29,16 @@ class ReferenceFrames {
   void fit(const NodeVectors& positions, const Activity& activity);
 
   /// What a kernel step may point to, until something here changes. Its displacements and velocities are
-  /// scratch that the kernel writes.
-  FloatReference describe(const BondLayout& layout);
+  /// scratch that the kernel writes: also those of the state it leads to, if wanted.
+  FloatReference describe(const BondLayout& layout, bool displaceNext);
+
+  /// The last step wrote the displacements of the state it led to, and nothing has moved since but what does
+  /// not deform.
+  bool displaced() const { return displaced_; }
+  /// The state that the kernel's step led to is the one that the next step begins with.
+  void noteStepped();
+  /// Displacements are of another state than the one that the next step begins with.
+  void forgetDisplacements() { displaced_ = false; }
 
   void save(ByteWriter& writer) const { writer.putVector(frames_); }
   /// False when it cannot have come from save() with so many fragments.
@@ -39,16 +47,23 @@ class ReferenceFrames {
   std::size_t memoryBytes() const;
 
  private:
+  struct Sums;
+
   void nameFrames(const Components& components);
+  void sumUp(const NodeVectors& positions, std::span<const std::uint32_t> blocks,
+             std::vector<Sums>& sums) const;
   Vec3 shapeAt(std::size_t node) const { return shape_.get(node) + remainder_.get(node); }
 
   FloatNodeVectors shape_;
   FloatNodeVectors remainder_;  ///< of the shape in double
   FloatNodeVectors displacement_;
   FloatNodeVectors velocity_;
+  FloatNodeVectors nextDisplacement_;
+  FloatNodeVectors nextVelocity_;
   std::vector<ReferenceFrame> frames_;
   std::vector<std::uint32_t> frameOfNode_;
   std::vector<std::uint8_t> mixed_;
+  bool displaced_ = false;
 };
 
 }  // namespace sim

@@ -41,8 +41,8 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
       ledger_(network_),
       kernel_(stepBlocksFor(KernelKind::automatic)),
       floatKernel_(floatKernelFor(KernelKind::automatic)),
-      now_{NodeVectors(network_.nodeCount()), NodeVectors(network_.nodeCount())},
-      next_(now_),
+      now_{NodeVectors(network_.nodeCount(), 0), NodeVectors(network_.nodeCount(), 1)},
+      next_{NodeVectors(network_.nodeCount(), 2), NodeVectors(network_.nodeCount(), 3)},
       inverseMasses_(NodeVectors::paddedCount(network_.nodeCount()), 0.0),
       fragments_({network_, layout_, breakage_, components_, contacts_, controls_, ledger_, now_, next_,
                   inverseMasses_},
@@ -223,19 +223,23 @@ void Stepper::forActiveBlocks(const Run& run) const {
   }
 }
 
-void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const {
+void Stepper::runKernel(const KernelStep& step, std::vector<BlockReport>& reports, bool goesOn) const {
   if (!reference_) {
     forActiveBlocks([&](std::size_t first, std::size_t last) { kernel_(step, first, last, reports.data()); });
     return;
   }
-  const FloatReference reference = reference_->describe(layout_);
+  const FloatReference reference = reference_->describe(layout_, goesOn);
   KernelStep inFloat = step;
   inFloat.reference = &reference;
-  forActiveBlocks(
-      [&](std::size_t first, std::size_t last) { floatKernel_.displaceBlocks(inFloat, first, last); });
+  if (!reference_->displaced() || step.now.position[0] != now_.position.axis(0)) {
+    reference_->forgetDisplacements();
+    forActiveBlocks(
+        [&](std::size_t first, std::size_t last) { floatKernel_.displaceBlocks(inFloat, first, last); });
+  }
   forActiveBlocks([&](std::size_t first, std::size_t last) {
     floatKernel_.stepBlocks(inFloat, first, last, reports.data());
   });
+  if (goesOn) reference_->noteStepped();
 }
 
 /// At the end of a step, from what a checkpoint holds: a resumed run fits when this one does.
@@ -275,7 +279,7 @@ Result<double> Stepper::moveByLeapfrog() {
   step.drift = step_;
   step.driftByOldVelocity = settings_.method == Method::forwardEuler;
   step.flowing = true;
-  runKernel(step, reports_);
+  runKernel(step, reports_, true);
   const Status healthy = readReports(travel);
   if (!healthy) return healthy.problem();
   std::swap(now_, next_);

@@ -116,7 +116,8 @@ class Stepper {
   double kick() const;
   /// Of the lanes that deform.
   KernelStep kernelStep(const Motion& from, Motion& to) const;
-  void runKernel(const KernelStep& step, std::vector<BlockReport>& reports) const;
+  /// `goesOn`: the state that the step leads to will be now_.
+  void runKernel(const KernelStep& step, std::vector<BlockReport>& reports, bool goesOn = false) const;
   template <class Run>
   void forActiveBlocks(const Run& run) const;
   void fitReference();

@@ -103,6 +103,7 @@ void Stepper::finishKick() {
   ledger_.addDissipated(present.dissipated);
   ledger_.addOutsideWork(present.outsideWork);
   lastStep_ = 0.0;
+  if (reference_) reference_->forgetDisplacements();
 }
 
 /// The same for gravity alone, which needs no forces: the half kick still to come is one by the gravity of
@@ -113,6 +114,7 @@ void Stepper::shiftKick(const Vec3& gravityBefore) {
   for (std::size_t node = 0; node < network_.nodeCount(); ++node) {
     if (inverseMasses_[node] > 0.0) now_.velocity.add(node, shift);
   }
+  if (reference_) reference_->forgetDisplacements();
 }
 
 }  // namespace sim

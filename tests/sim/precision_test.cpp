@@ -89,7 +89,7 @@ TEST_CASE("forces in float are right to 1e-5 of the break extension, however a p
   double breaking = 0.0;  // dyn: of the stiffest bond
   for (const sim::BondClass& bond : network.classes)
     breaking = std::max(breaking, bond.stiffness * kBreakStrain * bond.restLength);
-  const sim::FloatReference reference = frames.describe(layout);
+  const sim::FloatReference reference = frames.describe(layout, false);
   for (const auto kind : {sim::KernelKind::plain, sim::KernelKind::avx2, sim::KernelKind::avx512}) {
     if (sim::stepBlocksFor(kind) == nullptr) continue;
     INFO(sim::nameOfKernel(kind) << " " << distance << " cm away");
