@@ -85,7 +85,8 @@ std::uint64_t Stepper::stateHash() const {
     for (std::size_t k = 0; k < 3; ++k)
       XXH3_64bits_update(state, vectors->axis(k), vectors->size() * sizeof(double));
   }
-  XXH3_64bits_update(state, breakage_.brokenBonds().data(), breakage_.brokenBonds().size());
+  const std::vector<std::uint8_t> broken = breakage_.brokenBonds();
+  XXH3_64bits_update(state, broken.data(), broken.size());
   const double moment = time();
   XXH3_64bits_update(state, &moment, sizeof moment);
   const std::uint64_t hash = XXH3_64bits_digest(state);

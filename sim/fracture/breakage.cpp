@@ -4,12 +4,21 @@
 
 namespace sim {
 
-Breakage::Breakage(const Network& network)
-    : network_(&network), bondBroken_(network.bondCount(), 0), cellBroken_(network.cellCount(), 0) {}
+Breakage::Breakage(const Network& network) : network_(&network) {}
 
-void Breakage::listCells() {
+std::vector<std::uint8_t> Breakage::brokenBonds() const {
+  return bondBroken_.empty() ? std::vector<std::uint8_t>(network_->bondCount(), 0) : bondBroken_;
+}
+
+std::vector<std::uint8_t> Breakage::brokenCells() const {
+  return cellBroken_.empty() ? std::vector<std::uint8_t>(network_->cellCount(), 0) : cellBroken_;
+}
+
+void Breakage::makeLists() {
   if (!firstCell_.empty()) return;
   const Network& network = *network_;
+  bondBroken_.resize(network.bondCount(), 0);
+  cellBroken_.resize(network.cellCount(), 0);
   firstCell_.assign(network.nodeCount() + 1, 0);
   for (const CellCorners& corners : network.cells) {
     for (const NodeIndex corner : corners) ++firstCell_[corner + 1];

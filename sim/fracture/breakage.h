@@ -26,7 +26,7 @@ class Breakage {
   template <class StrainOf>
   void breakBonds(std::span<const Overstretched> bonds, double time, StrainOf&& strainOf,
                   std::vector<BreakEvent>& events) {
-    listCells();
+    makeLists();
     for (const Overstretched& over : bonds) {
       if (bondBroken(over.bond)) continue;
       markBond(over.bond, kNone, over.strain, time, events);
@@ -39,9 +39,10 @@ class Breakage {
     }
   }
 
-  bool bondBroken(BondIndex bond) const { return bondBroken_[bond] != 0; }
-  const std::vector<std::uint8_t>& brokenBonds() const { return bondBroken_; }
-  const std::vector<std::uint8_t>& brokenCells() const { return cellBroken_; }
+  bool bondBroken(BondIndex bond) const { return !bondBroken_.empty() && bondBroken_[bond] != 0; }
+  /// One byte a bond or cell, 1 where it is broken.
+  std::vector<std::uint8_t> brokenBonds() const;
+  std::vector<std::uint8_t> brokenCells() const;
   std::uint64_t brokenBondCount() const { return brokenBondCount_; }
   std::uint64_t brokenCellCount() const { return brokenCellCount_; }
 
@@ -51,8 +52,8 @@ class Breakage {
   std::size_t memoryBytes() const;
 
  private:
-  /// Not before something breaks: what never does needs no such lists.
-  void listCells();
+  /// Not before something breaks: what never does needs neither marks nor lists of cells.
+  void makeLists();
   void markBond(BondIndex bond, CellIndex cause, float strain, double time, std::vector<BreakEvent>& events);
   /// The cells that contain both of its nodes, ascending.
   std::vector<CellIndex> cellsWith(BondIndex bond) const;
@@ -61,8 +62,8 @@ class Breakage {
   std::vector<BondIndex> orphansOf(CellIndex cell) const;
 
   const Network* network_;
-  std::vector<std::uint8_t> bondBroken_;
-  std::vector<std::uint8_t> cellBroken_;
+  std::vector<std::uint8_t> bondBroken_;  ///< empty until something breaks
+  std::vector<std::uint8_t> cellBroken_;  ///< likewise
   std::vector<std::uint32_t> firstCell_;  ///< rows of cellsOfNode_
   std::vector<CellIndex> cellsOfNode_;
   std::uint64_t brokenBondCount_ = 0;

@@ -228,9 +228,9 @@ TEST_CASE("whichever bonds break, no strings are left") {
   }
   CHECK(events.size() == breakage.brokenBondCount());
   CHECK(breakage.brokenBondCount() > 100);
+  const std::vector<std::uint8_t> cells = breakage.brokenCells();
   CHECK(breakage.brokenCellCount() ==
-        static_cast<std::uint64_t>(
-            std::count(breakage.brokenCells().begin(), breakage.brokenCells().end(), std::uint8_t{1})));
+        static_cast<std::uint64_t>(std::count(cells.begin(), cells.end(), std::uint8_t{1})));
 }
 
 tests::Block brittle(double damping) {
