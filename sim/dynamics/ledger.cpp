@@ -88,14 +88,14 @@ LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, co
   return row;
 }
 
-void Ledger::begin(const LedgerRow& row) {
+void Ledger::begin(const LedgerRow& row, double kept) {
   start_ = row.energy.mechanical();
-  lowest_ = start_;
+  lowest_ = kept;
   startActive_ = scale_ = row.energy.kinetic + row.energy.elastic + row.energy.contact;
 }
 
-bool Ledger::watch(const LedgerRow& row) {
-  const double unexplained = row.energy.mechanical() - row.energy.outsideWork;
+bool Ledger::watch(const LedgerRow& row, double kept) {
+  const double unexplained = kept - row.energy.outsideWork;
   const double active = row.energy.kinetic + row.energy.elastic + row.energy.contact;
   lowest_ = std::min(lowest_, unexplained);
   largestRise_ = std::max(largestRise_, unexplained - lowest_);

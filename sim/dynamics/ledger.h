@@ -29,10 +29,11 @@ class Ledger {
   LedgerRow draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity,
                  const Energy& present, const Vec3& gravity) const;
   /// Takes a row as the start, against which residuals are counted.
-  void begin(const LedgerRow& row);
-  /// Looks at a row for rises of energy that nothing explains. False when the energy is past all bounds: a
-  /// blow-up.
-  bool watch(const LedgerRow& row);
+  /// `kept`: the mechanical energy that the method keeps, erg.
+  void begin(const LedgerRow& row, double kept);
+  /// Looks for rises of what the method keeps that nothing explains. False when the energy of the row is past
+  /// all bounds: a blow-up.
+  bool watch(const LedgerRow& row, double kept);
 
   double maxRise() const;
   /// Energy of position that a change of gravity gives, erg: the work of whatever changed it.
@@ -48,7 +49,7 @@ class Ledger {
   const Network* network_;
   Energy flows_;              ///< dissipated, released, outsideWork since the start
   double start_ = 0.0;        ///< mechanical energy at the start, erg
-  double lowest_ = 0.0;       ///< of mechanical - outsideWork so far, erg
+  double lowest_ = 0.0;       ///< of what the method keeps, less outside work, so far, erg
   double largestRise_ = 0.0;  ///< above the lowest before, erg
   double scale_ = 0.0;        ///< the most energy seen in motion, bonds and contacts, erg
   double startActive_ = 0.0;  ///< that of the start, erg

@@ -16,34 +16,37 @@ void checkFinite(const sim::Simulation& simulation) {
   CHECK(snapshot.ledger.angularMomentum.allFinite());
 }
 
-/// A quiet lower block and a stiffer upper one, far apart.
-sim::Blueprint softAndStiff() {
+/// A quiet lower block and a stiffer upper one, far apart, which is let go at so many times its size.
+sim::Blueprint softAndTorn(double stretch) {
   tests::Block soft{.youngsModulus = 1e4};
   soft.material.name = "jelly";
   tests::Block stiff{.youngsModulus = 1e8};
   stiff.material.name = "steel";
   stiff.corner.z() = 50.0;
   sim::Blueprint blueprint = tests::block(soft);
+  const std::size_t first = blueprint.nodes.size();
   tests::append(blueprint, tests::block(stiff));
   blueprint.partNames = {"below", "above"};
-  blueprint.nodes.back().velocity.x() = 1.0;
+  for (std::size_t n = first; n < blueprint.nodes.size(); ++n) {
+    sim::Vec3& position = blueprint.nodes[n].position;
+    position = stiff.corner + stretch * (position - stiff.corner);
+  }
   return blueprint;
 }
 
-TEST_CASE("a step far too long is found, and the problem names node, part and material") {
-  // From hardly unstable to absurd, with and without damping.
-  const double factor = GENERATE(1.5, 3.0, 30.0, 1e4, 1e8);
-  const auto method =
-      GENERATE(sim::Method::velocityVerlet, sim::Method::symplecticEuler, sim::Method::forwardEuler);
-  INFO(factor << " " << sim::nameOf(method));
+TEST_CASE("a blow-up is found, and the problem names node, part and material") {
+  // Bonds stretched to many times their length pull sideways, too, which no step reckons with beforehand:
+  // from hardly unstable to absurd.
+  const double stretch = GENERATE(8.0, 100.0, 1e4, 1e8);
+  const auto method = GENERATE(sim::Method::velocityVerlet, sim::Method::symplecticEuler);
+  INFO(stretch << " " << sim::nameOf(method));
   sim::Settings settings = tests::losslessSettings();
-  const double stable = tests::simulation(softAndStiff(), settings)->step() / settings.safety;
-  settings.step = factor * stable;
   settings.method = method;
-  const auto wild = tests::simulation(softAndStiff(), settings);
+  settings.safety = 0.9;
+  const auto wild = tests::simulation(softAndTorn(stretch), settings);
   sim::Status status = sim::Done{};
   int steps = 0;
-  for (; status.ok() && steps < 1000; ++steps) {
+  for (; status.ok() && steps < 20000; ++steps) {
     status = wild->stepOnce();
     checkFinite(*wild);
   }
@@ -55,15 +58,6 @@ TEST_CASE("a step far too long is found, and the problem names node, part and ma
   CHECK(line.find("'steel'") != std::string::npos);
   CHECK(line.find("step") != std::string::npos);
   CHECK(status.problem().place.find("t = ") == 0);
-}
-
-TEST_CASE("a step just too long is found before the frame is over") {
-  sim::Settings settings = tests::losslessSettings();
-  const double stable = tests::simulation(softAndStiff(), settings)->step() / settings.safety;
-  settings.step = 1.05 * stable;
-  const auto wild = tests::simulation(softAndStiff(), settings);
-  CHECK_FALSE(wild->advanceTo(1.0 / 24.0).ok());
-  checkFinite(*wild);
 }
 
 TEST_CASE("a run that is only lively is not taken for a blow-up") {
