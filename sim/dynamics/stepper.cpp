@@ -111,6 +111,7 @@ void Stepper::applyControls() {
   if (energyChanges) {
     refreshContacts();
     ledger_.addOutsideWork(potentialEnergy() - before);
+    ledger_.forgetKept();
     chooseStep();
   }
   if (change.gravity) {
