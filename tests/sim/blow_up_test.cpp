@@ -56,9 +56,9 @@ TEST_CASE(
   const sim::Network pair = tests::built(tests::twoNodes({}));
   sim::Ledger ledger(pair);
   const auto row = [](double kinetic) {
-    sim::LedgerRow row;
-    row.energy.kinetic = kinetic;
-    return row;
+    sim::LedgerRow made;
+    made.energy.kinetic = kinetic;
+    return made;
   };
   ledger.begin(row(2.0), 1.5);
   CHECK(ledger.watch(row(2.2), 1.5));
