@@ -189,7 +189,7 @@ TEST_CASE("a step that cannot be stable is refused before anything is recorded")
   const auto answer = simulate(folder, "run", "--step 2e-3");
   INFO(answer.errors);
   CHECK(answer.status == 2);
-  CHECK(answer.errors.find("solver.step: the step is longer than ") != std::string::npos);
+  CHECK(answer.errors.find("solver.step:1:1: the step is longer than ") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(folder.file("run.take")));
 }
 
