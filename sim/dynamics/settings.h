@@ -69,7 +69,9 @@ struct SkipSettings {
 struct Settings {
   Method method = Method::velocityVerlet;
   Precision precision = Precision::float64;
-  std::optional<double> step;  ///< s; absent: automatic and stable (docs/numerics.md)
+  /// s; absent: automatic and stable (docs/numerics.md). Where contacts or tracks make the scene too stiff
+  /// for it on the way, it is divided into equal parts.
+  std::optional<double> step;
   /// Of strain, relative to the largest there was, rms over bonds, a shortest swing: then the automatic step
   /// is shortened to keep to it. Not for the paper's methods of Euler, and not with `step`.
   std::optional<double> tolerance;
