@@ -63,7 +63,7 @@ CalibrationChart::CalibrationChart(QWidget* parent) : QWidget(parent) {
   makeSeries();
   connect(&Theme::instance(), &Theme::changed, this, &CalibrationChart::colour);
   colour();
-  show({});
+  plot({});
 }
 
 void CalibrationChart::makeAxes() {
@@ -148,7 +148,7 @@ void CalibrationChart::fitAxes(const CalibrationProgress& progress, double most)
   threshold_->setRange(std::min(low / 1.3, high / 12.0), high * 1.3);
 }
 
-void CalibrationChart::show(const CalibrationProgress& progress) {
+void CalibrationChart::plot(const CalibrationProgress& progress) {
   QList<QPointF> pieces;
   QList<QPointF> grains;
   std::array<QList<QPointF>, 3> points;

@@ -23,7 +23,7 @@ class CalibrationChart : public QWidget {
  public:
   explicit CalibrationChart(QWidget* parent = nullptr);
 
-  void show(const CalibrationProgress& progress);
+  void plot(const CalibrationProgress& progress);
   std::size_t pointCount() const;
 
  private:

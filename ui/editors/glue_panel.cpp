@@ -71,8 +71,8 @@ GluePanel::GluePanel(GlueEditing& editing, QWidget* parent) : QWidget(parent), e
   column->addWidget(adjust_);
   column->addWidget(makeButtons());
   connect(swap_, &QToolButton::clicked, &editing_, &GlueEditing::swap);
-  connect(&editing_, &GlueEditing::changed, this, &GluePanel::show);
-  show();
+  connect(&editing_, &GlueEditing::changed, this, &GluePanel::follow);
+  follow();
 }
 
 QWidget* GluePanel::makeReach() {
@@ -161,7 +161,7 @@ QString GluePanel::problemText() const {
   return textOf(*outcome->problem);
 }
 
-void GluePanel::show() {
+void GluePanel::follow() {
   using Stage = GlueEditing::Stage;
   const Stage stage = editing_.stage();
   setVisible(stage != Stage::off);

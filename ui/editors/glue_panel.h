@@ -26,7 +26,7 @@ class GluePanel : public QWidget {
  private:
   QWidget* makeReach();
   QWidget* makeButtons();
-  void show();
+  void follow();
   QString countsText() const;
   QString problemText() const;
   void placeInCorner();

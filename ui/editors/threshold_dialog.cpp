@@ -170,7 +170,7 @@ void ThresholdDialog::start() {
   progress_ = {};
   run_ = std::make_unique<CalibrationRun>(chosen->values, settings);
   timer_.start();
-  chart_->show(progress_);
+  chart_->plot(progress_);
   showState();
 }
 
@@ -179,7 +179,7 @@ void ThresholdDialog::poll() {
   const std::size_t before = progress_.trials.size();
   progress_ = run_->progress();
   if (progress_.ended) timer_.stop();
-  if (progress_.ended || progress_.trials.size() != before) chart_->show(progress_);
+  if (progress_.ended || progress_.trials.size() != before) chart_->plot(progress_);
   showState();
 }
 
