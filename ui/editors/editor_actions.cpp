@@ -1,6 +1,7 @@
 #include "ui/editors/editor_actions.h"
 
 #include <QAction>
+#include <QKeyEvent>
 #include <QTimer>
 
 #include "ui/editors/glue_panel.h"
@@ -21,6 +22,7 @@ EditorActions::EditorActions(Session& session, Viewport& viewport, QObject* pare
   // Elsewhere Tab goes from field to field.
   editPoints_->setShortcutContext(Qt::WidgetShortcut);
   viewport_.addAction(editPoints_);
+  viewport_.installEventFilter(this);
   glue_ = makeAction(QStringLiteral("glue"), tr("Glue Parts"),
                      tr("Glue two parts: pick them, then see and choose what is joined (Shift+G)"),
                      QKeySequence(Qt::SHIFT | Qt::Key_G));
@@ -47,6 +49,18 @@ EditorActions::EditorActions(Session& session, Viewport& viewport, QObject* pare
   connect(&session_.selection(), &Selection::changed, this, &EditorActions::show);
   connect(&session_.document(), &Document::sceneChanged, this, &EditorActions::show);
   show();
+}
+
+/// Keys of the tool are no shortcuts of the window meanwhile.
+bool EditorActions::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && dynamic_cast<PointsTool*>(viewport_.tool()) != nullptr) {
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    if (PointsTool::takes(key.key(), key.modifiers())) {
+      event->accept();
+      return true;
+    }
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 QAction* EditorActions::makeAction(const QString& icon, const QString& text, const QString& tip,

@@ -25,6 +25,9 @@ class EditorActions : public QObject {
 
   void openThresholdDialog(std::size_t material);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  signals:
   /// The selected part is drawn by its profile.
   void profileWanted();

@@ -1,6 +1,7 @@
 #include "ui/editors/points_tool.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/theme/theme.h"
@@ -165,15 +166,18 @@ void PointsTool::selectAll() {
   selected_ = selected_ == all ? std::set<std::size_t>{} : all;
 }
 
+bool PointsTool::takes(int key, Qt::KeyboardModifiers modifiers) {
+  static constexpr std::array kKeys{Qt::Key_X, Qt::Key_Y, Qt::Key_Z, Qt::Key_A, Qt::Key_Delete};
+  return modifiers == Qt::NoModifier && std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
+}
+
 bool PointsTool::key(Viewport& viewport, int key, Qt::KeyboardModifiers modifiers) {
-  if (modifiers & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  if (!takes(key, modifiers)) return false;
   const Eigen::Index axis = key == Qt::Key_X ? 0 : key == Qt::Key_Y ? 1 : key == Qt::Key_Z ? 2 : -1;
   if (axis >= 0) {
     axis_ = axis_ == axis ? std::nullopt : std::optional(axis);
   } else if (key == Qt::Key_A) {
     selectAll();
-  } else {
-    return false;
   }
   viewport.update();
   return true;

@@ -19,6 +19,8 @@ class PointsTool : public Tool {
 
   const std::string& part() const { return part_; }
   const std::set<std::size_t>& selected() const { return selected_; }
+  /// Keys that mean something here, though they may be shortcuts elsewhere: X must not delete the part.
+  static bool takes(int key, Qt::KeyboardModifiers modifiers);
 
   QString hint() const override;
   QCursor cursor() const override { return hovered_ ? Qt::SizeAllCursor : Qt::ArrowCursor; }
