@@ -25,6 +25,28 @@ namespace {
 
 constexpr int kPlotMilliseconds = 120;
 
+struct Thousands {
+  double factor = 1.0;
+  QString prefix;
+};
+
+Thousands thousandsOf(double most) {
+  if (most >= 1e12) return {1e12, QStringLiteral("\u00d710\u00b9\u00b2")};
+  if (most >= 1e9) return {1e9, QStringLiteral("\u00d710\u2079")};
+  if (most >= 1e6) return {1e6, QStringLiteral("\u00d710\u2076")};
+  if (most >= 1e4) return {1e3, QStringLiteral("\u00d710\u00b3")};
+  return {1.0, {}};
+}
+
+/// 1, 2 or 5 times a power of ten, at least this.
+double niceStep(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-12))));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10.0 * power;
+}
+
 }  // namespace
 
 DiagnosticsPanel::DiagnosticsPanel(Session& session, NoteFeed& feed, TimeAxis& axis, QWidget* parent)
@@ -88,7 +110,8 @@ void DiagnosticsPanel::makeChart() {
   for (QValueAxis* axis : {time_, values_, others_}) {
     axis->setLabelsFont(Theme::numberFont(-2.0));
     axis->setLabelFormat(QStringLiteral("%.3g"));
-    axis->setTickCount(axis == time_ ? 6 : 4);
+    axis->setTickType(QValueAxis::TicksDynamic);
+    axis->setTickAnchor(0.0);
   }
   others_->setGridLineVisible(false);
   view_ = new QChartView(chart_, this);
@@ -137,7 +160,6 @@ void DiagnosticsPanel::makeLines() {
   }
   lines_.clear();
   const Plot& plot = plots_[plot_];
-  unit_->setText(plot.unit);
   bool other = false;
   for (std::size_t place = 0; place < plot.lines.size(); ++place) {
     Line line;
@@ -151,7 +173,7 @@ void DiagnosticsPanel::makeLines() {
     line.box->setToolTip(tr("Show this line"));
     line.value = new QLabel(this);
     line.value->setFont(Theme::numberFont(-0.5));
-    line.value->setAlignment(Qt::AlignRight);
+    line.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     line.value->setMinimumWidth(72);
     legend_->addWidget(line.box, static_cast<int>(place), 0);
     legend_->addWidget(line.value, static_cast<int>(place), 1);
@@ -178,28 +200,40 @@ void DiagnosticsPanel::plotNow() {
   std::vector<QList<QPointF>> points;
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     points.push_back(decimated(feed_.notes(), plots_[plot_].lines[line], from, to, buckets));
-    lines_[line].series->replace(points.back());
   }
+  time_->setTickInterval(niceStep((to - from) / 6.0));
   time_->setRange(from, to);
-  fitValues(0, *values_, false, points);
-  fitValues(0, *others_, true, points);
+  fitValues(*values_, false, points);
+  fitValues(*others_, true, points);
+  for (std::size_t line = 0; line < lines_.size(); ++line) lines_[line].series->replace(points[line]);
   showCursor();
 }
 
-void DiagnosticsPanel::fitValues(std::size_t from, QValueAxis& axis, bool ofItsOwn,
-                                 const std::vector<QList<QPointF>>& lines) {
+/// Large numbers are drawn in thousands, millions and so on, so that the labels stay short.
+void DiagnosticsPanel::fitValues(QValueAxis& axis, bool ofItsOwn, std::vector<QList<QPointF>>& points) {
+  const auto isMeant = [&](std::size_t line) { return plots_[plot_].lines[line].ofItsOwn == ofItsOwn; };
   double least = 0.0;
   double most = 0.0;
-  for (std::size_t line = from; line < lines.size(); ++line) {
-    if (plots_[plot_].lines[line].ofItsOwn != ofItsOwn || !lines_[line].box->isChecked()) continue;
-    for (const QPointF& point : lines[line]) {
+  for (std::size_t line = 0; line < points.size(); ++line) {
+    if (!isMeant(line) || !lines_[line].box->isChecked()) continue;
+    for (const QPointF& point : points[line]) {
       if (!std::isfinite(point.y())) continue;
       least = std::min(least, point.y());
       most = std::max(most, point.y());
     }
   }
+  const Thousands thousands = thousandsOf(std::max(most, -least));
+  for (std::size_t line = 0; line < points.size(); ++line) {
+    if (!isMeant(line)) continue;
+    for (QPointF& point : points[line]) point.ry() /= thousands.factor;
+  }
+  if (!ofItsOwn) unit_->setText(QStringLiteral("%1 %2").arg(thousands.prefix, plots_[plot_].unit).trimmed());
+  least /= thousands.factor;
+  most /= thousands.factor;
+  if (least == most) most = 1.0;
   const double room = 0.06 * (most - least);
-  axis.setRange(least < 0.0 ? least - room : 0.0, most > least ? most + room : 1.0);
+  axis.setTickInterval(niceStep((most - least) / 4.0));
+  axis.setRange(least < 0.0 ? least - room : 0.0, most + room);
 }
 
 std::size_t DiagnosticsPanel::presentFrame() const {

@@ -48,7 +48,7 @@ class DiagnosticsPanel : public QWidget {
   void makeLines();
   void plotSoon();
   void plotNow();
-  void fitValues(std::size_t from, QValueAxis& axis, bool ofItsOwn, const std::vector<QList<QPointF>>& lines);
+  void fitValues(QValueAxis& axis, bool ofItsOwn, std::vector<QList<QPointF>>& points);
   void showCursor();
   std::size_t presentFrame() const;
 

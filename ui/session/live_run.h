@@ -53,7 +53,7 @@ class LiveRun {
   sim::Status writeFrame(const sim::Snapshot& moment);
   void pauseBecause(const sim::Problem& problem);
   void finish(const std::string& outcome);
-  void replan(Performed performed);
+  void replan(std::vector<Performed> performed);
   void restartPace();
   void restartClock();
   double secondsAhead() const;

@@ -54,7 +54,10 @@ void Playback::toLast() {
 
 void Playback::toFirstBreak() {
   if (!footage_) return;
-  if (const std::optional<double> time = footage_->firstBreak()) seekTime(*time);
+  const std::optional<double> time = footage_->firstBreak();
+  if (!time) return;
+  const std::size_t before = footage_->frameAt(*time);
+  seek(footage_->note(before).time < *time ? before + 1 : before);
 }
 
 Playback::Range Playback::range() const {

@@ -42,7 +42,7 @@ class Playback : public QObject {
   void stepBy(int frames);
   void toFirst();
   void toLast();
-  /// Nothing happens where no bond has broken.
+  /// To the first frame in which something is broken; nothing happens where no bond has broken.
   void toFirstBreak();
 
   /// 1: forwards, -1: backwards, 0: stands.

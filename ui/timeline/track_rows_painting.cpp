@@ -29,6 +29,27 @@ QString valueText(const modeling::SceneTrack& track, double time) {
       .arg(numberText(value.x()), numberText(value.y()), numberText(value.z()));
 }
 
+/// Level before the first and after the last.
+QPainterPath curveThrough(const std::vector<QPointF>& points, sim::Interpolation interpolation,
+                          double right) {
+  QPainterPath path(QPointF(std::min(0.0, points.front().x()), points.front().y()));
+  path.lineTo(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const QPointF& from = points[i - 1];
+    const QPointF& to = points[i];
+    if (interpolation == sim::Interpolation::step) path.lineTo(to.x(), from.y());
+    if (interpolation == sim::Interpolation::smooth) {
+      // The easing 3t^2 - 2t^3, as the Bezier curve it is.
+      const double third = (to.x() - from.x()) / 3.0;
+      path.cubicTo(from + QPointF(third, 0.0), to - QPointF(third, 0.0), to);
+    } else {
+      path.lineTo(to);
+    }
+  }
+  path.lineTo(std::max(right, points.back().x()), points.back().y());
+  return path;
+}
+
 }  // namespace
 
 void TrackRows::paintEvent(QPaintEvent* event) {
@@ -122,29 +143,16 @@ void TrackRows::paintCurve(QPainter& painter, std::size_t track) {
     const double share = (value - span.least) / (span.most - span.least);
     return row.bottom() - 6.0 - share * (row.height() - 12.0);
   };
-  const sim::Track values = asTrack(found);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
   for (std::size_t c = 0; c < componentsOf(found.target); ++c) {
-    const auto component = static_cast<Eigen::Index>(c);
-    QPainterPath path;
-    const double left = kTimelineHeader;
-    const double right = width();
-    for (double x = left; x <= right + 2.0; x += 2.0) {
-      const double time = axis_.timeAt(x - kTimelineHeader);
-      const QPointF point(x, y(values.valueAt(time)[component]));
-      if (x > left) {
-        // A step is upright, not slanted over the pixels between two samples.
-        if (found.interpolation == sim::Interpolation::step) path.lineTo(x, path.currentPosition().y());
-        path.lineTo(point);
-      } else {
-        path.moveTo(point);
-      }
-    }
+    std::vector<QPointF> points;
+    for (const modeling::SceneTrackKey& key : found.keys)
+      points.emplace_back(bar_.xOf(key.time), y(asVector(key.value)[static_cast<Eigen::Index>(c)]));
     QColor colour = colourOf(found, c);
     if (!expanded) colour.setAlphaF(0.55F);
     painter.setPen(QPen(colour, expanded ? 1.6 : 1.2));
-    painter.drawPath(path);
+    painter.drawPath(curveThrough(points, found.interpolation, width()));
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
