@@ -189,6 +189,10 @@ void Controls::setFlow(const Network& network, double step) {
     materials_[m].flow = std::min(1.0, network.materials[m].flowRate * step);
 }
 
+bool Controls::scalesStiffness() const {
+  return std::ranges::any_of(materials_, [](const MaterialNow& now) { return now.stiffnessScale != 1.0; });
+}
+
 double Controls::largestStiffnessScale() const {
   double largest = 0.0;
   for (const MaterialNow& material : materials_) largest = std::max(largest, material.stiffnessScale);

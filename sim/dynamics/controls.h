@@ -43,6 +43,8 @@ class Controls {
   /// Whether the last moveTo() moved this collider, or made it act.
   bool moved(std::size_t collider) const { return moved_[collider] != 0; }
   bool anyMoved() const;
+  /// Some material is stiffer or softer now than the network says.
+  bool scalesStiffness() const;
   double largestStiffnessScale() const;
   double largestDampingScale() const;
 

@@ -87,7 +87,7 @@ Contacts::Moment Stepper::moment() const {
           0.0,
           fragments_.activity().movedLanes(),
           fragments_.activity().version(),
-          controls_.largestStiffnessScale() != 1.0 || controls_.hasTracks()};
+          controls_.scalesStiffness()};
 }
 
 /// Tracks change the world at fixed positions; what that does to the energy is work from outside. The half

@@ -39,8 +39,11 @@ double groundReach(const Eigen::AlignedBox3d& box) {
   return std::max(60.0, box.isEmpty() ? 0.0 : 5.0 * box.diagonal().norm());
 }
 
-/// It is the surface that occludes; through one that is transparent it would be seen where nothing is.
-bool occludes(const ViewSettings& settings) {
+/// It is the surface that occludes, where there is one; through one that is transparent it would be seen
+/// where nothing is.
+bool occludes(const DrawData& data) {
+  if (data.box.isEmpty()) return false;
+  const ViewSettings& settings = data.settings;
   return settings.occlusion && !settings.xray && (settings.surface || settings.levelSurface);
 }
 
@@ -135,13 +138,13 @@ void ViewportRenderer::useLight(QOpenGLShaderProgram& program, const PictureFram
   program.setUniformValue("shadows", scene_->data().settings.shadows && !casters().isEmpty());
   program.setUniformValue("shadowMap", 1);
   program.setUniformValue("occlusion", 2);
-  program.setUniformValue("occludes", occludes(scene_->data().settings));
+  program.setUniformValue("occludes", occludes(scene_->data()));
   program.setUniformValue("skyLight", dark ? QVector3D(0.50F, 0.53F, 0.58F) : QVector3D(0.66F, 0.68F, 0.71F));
   program.setUniformValue("groundLight",
                           dark ? QVector3D(0.13F, 0.13F, 0.135F) : QVector3D(0.33F, 0.32F, 0.31F));
   gl_.glActiveTexture(GL_TEXTURE1);
   gl_.glBindTexture(GL_TEXTURE_2D, shadowMap_);
-  if (occludes(scene_->data().settings)) {
+  if (occludes(scene_->data())) {
     gl_.glActiveTexture(GL_TEXTURE2);
     gl_.glBindTexture(GL_TEXTURE_2D, occlusion_->texture(0));
   }
@@ -200,7 +203,7 @@ void ViewportRenderer::paintShadowMap() {
 
 void ViewportRenderer::paintOcclusion(const PictureFrame& frame) {
   const Eigen::AlignedBox3d box = casters();
-  if (!occludes(scene_->data().settings) || box.isEmpty()) return;
+  if (!occludes(scene_->data())) return;
   const QSize pixels = (frame.ratio * frame.size).toSize();
   const QSize half(std::max((pixels.width() + 1) / 2, 1), std::max((pixels.height() + 1) / 2, 1));
   places_->bind(gl_, half);
