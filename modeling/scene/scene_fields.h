@@ -322,7 +322,11 @@ struct Fields<Camera> {
 template <>
 struct Fields<View> {
   static constexpr auto list() {
-    return std::tuple{field("camera", &View::camera, "Left out: everything is framed.")};
+    using T = View;
+    return std::tuple{
+        field("camera", &T::camera, "Left out: everything is framed."),
+        field("hidden", &T::hidden, "Names of parts that are simulated, but not drawn in the window."),
+        field("locked", &T::locked, "Names of parts and colliders that clicks in the window pass over.")};
   }
 };
 
