@@ -16,9 +16,12 @@ class QToolBar;
 
 namespace ui {
 
+class AddActions;
 class Gallery;
 class PlayActions;
+class PreflightDialog;
 class ProblemBar;
+class SceneActions;
 class Viewport;
 
 /// The window: menus, bars, docks around the viewport. What it shows and does is the session's.
@@ -80,6 +83,9 @@ class MainWindow : public QMainWindow {
   QMenu* simulateMenu_ = nullptr;
   QToolBar* toolBar_ = nullptr;
   PlayActions* playActions_ = nullptr;
+  SceneActions* sceneActions_ = nullptr;
+  AddActions* addActions_ = nullptr;
+  PreflightDialog* preflight_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

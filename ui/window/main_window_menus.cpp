@@ -3,6 +3,10 @@
 #include <QMenuBar>
 #include <QSettings>
 
+#include "ui/panels/add_actions.h"
+#include "ui/panels/long_run_notice.h"
+#include "ui/panels/preflight_dialog.h"
+#include "ui/panels/scene_actions.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/play_actions.h"
 #include "ui/viewport/viewport.h"
@@ -40,6 +44,9 @@ void MainWindow::makeEditMenu() {
   redo->setIcon(Theme::icon("redo"));
   menu->addAction(undo);
   menu->addAction(redo);
+  menu->addSeparator();
+  sceneActions_->fill(*menu);
+  addActions_->fill(*menuBar()->addMenu(tr("&Add")));
 }
 
 void MainWindow::makeViewMenu() {
@@ -77,6 +84,16 @@ void MainWindow::makeSimulateMenu() {
   simulateMenu_->addActions({actions.playBackwards, actions.stepBack, actions.stepForward, actions.toFirst,
                              actions.toLast, actions.toFirstBreak, actions.loop, actions.everyFrame});
   simulateMenu_->addSeparator();
+  preflight_ = new PreflightDialog(session_, this);
+  const auto preflight = [this] {
+    preflight_->show();
+    preflight_->raise();
+    preflight_->look();
+  };
+  simulateMenu_->addAction(Theme::icon("preflight"), tr("Pre-&flight…"), QKeySequence(Qt::CTRL | Qt::Key_P),
+                           this, preflight);
+  auto* longRun = new LongRunNotice(session_, viewport_);
+  connect(longRun, &LongRunNotice::preflightWanted, this, preflight);
   simulateMenu_->addAction(tr("Show the Scene at &Rest"), QKeySequence(Qt::CTRL | Qt::Key_Home), &session_,
                            &Session::showEdited);
 }
