@@ -222,6 +222,7 @@ TEST_CASE("A number of the properties is typed with a unit and undone", "[author
   for (int i = 0; i < 4; ++i) stack.undo();
   CHECK(desk.scene() == before);
   CHECK(desk.number(".resolution.cellSize")->value() == Approx(0.6));
+  while (stack.canRedo()) stack.redo();
   desk.checkHistory({});
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("What people type is read in the units of the scene", "[quantity]") {
   CHECK(valueOf("1/2 in", Dimension::length) == Approx(1.27));
   CHECK(valueOf("1 m + 2 in - 5", Dimension::length) == Approx(100.0 + 5.08 - 5.0));
   CHECK(valueOf("-(1 cm + 2 mm) * 2", Dimension::length) == Approx(-2.4));
-  CHECK(valueOf("(1 in / 2 mm) cm", Dimension::length) == Approx(12.7));
+  CHECK(valueOf("(1 in / (2 mm)) cm", Dimension::length) == Approx(12.7));
   CHECK(valueOf("2^3^2", Dimension::number) == 512.0);
   CHECK(valueOf("1e-3", Dimension::number) == 1e-3);
   CHECK(valueOf("\xe2\x88\x92"

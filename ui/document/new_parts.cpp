@@ -194,8 +194,9 @@ std::optional<modeling::PartShape> fitted(const modeling::RevolutionShape& body,
     const double slope = (*above - *below) / (2.0 * near);
     return Hold{Vec3(side * *here, 0.0, z), Vec3(side, 0.0, -slope).normalized()};
   };
-  constexpr double kLeast = 2.5;
-  if (height < kLeast) return std::nullopt;
+  // A tube needs more height than a bar, or it would fold where it turns up.
+  const double least = kind == Kind::handle ? 2.5 : 7.0;
+  if (height < least) return std::nullopt;
   if (kind == Kind::handle) {
     const std::optional<Hold> upper = onWall(0.8, -1.0);
     const std::optional<Hold> lower = onWall(0.3, -1.0);

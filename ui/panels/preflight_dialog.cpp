@@ -44,7 +44,7 @@ QString roughSize(double bytes) {
 PreflightDialog::PreflightDialog(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
   setObjectName(QStringLiteral("preflight"));
   setWindowTitle(tr("Pre-flight"));
-  setMinimumWidth(440);
+  setMinimumWidth(500);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 12);
   column->setSpacing(12);
@@ -110,6 +110,8 @@ void PreflightDialog::makeParts() {
 
 QDialogButtonBox* PreflightDialog::makeButtons() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  // The style's own icon is dark on dark.
+  buttons->button(QDialogButtonBox::Close)->setIcon({});
   auto* again = buttons->addButton(tr("Look Again"), QDialogButtonBox::ActionRole);
   auto* simulate = buttons->addButton(tr("Simulate"), QDialogButtonBox::ApplyRole);
   simulate->setIcon(Theme::icon(QStringLiteral("play")));

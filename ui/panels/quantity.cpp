@@ -205,6 +205,10 @@ class Reader {
 
   void failAtRest() {
     if (text_[at_] == u')') return fail(at_, translated("this parenthesis was not opened"));
+    for (const Unit& known : unitsOf(dimension_)) {
+      if (*known.symbol && startsUnit(QString::fromUtf8(known.symbol)))
+        return fail(at_, translated("there is a unit already"));
+    }
     qsizetype end = at_;
     while (end < text_.size() && text_[end].isLetter()) ++end;
     if (end == at_) return fail(at_, translated("“%1” is not expected here").arg(text_[at_]));
@@ -335,7 +339,7 @@ QString numberText(double value, const Unit& unit, int digits) {
     return text.replace(QStringLiteral("e+0"), QStringLiteral("e"))
         .replace(QStringLiteral("e-0"), QStringLiteral("e-"));
   }
-  const int before = std::max(1, static_cast<int>(std::floor(std::log10(size))) + 1);
+  const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
   QString text = QString::number(number, 'f', std::max(0, digits - before));
   if (!text.contains(u'.')) return text;
   while (text.endsWith(u'0')) text.chop(1);
