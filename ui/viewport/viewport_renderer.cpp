@@ -18,7 +18,7 @@ constexpr GLsizei kShadowMapSize = 2048;
 /// From the front left above, as a photographer would for someone who looks from the front.
 const sim::Vec3 kLight = sim::Vec3(-0.45, -0.55, 1.0).normalized();
 /// Of the penumbra, relative to what casts shadows.
-constexpr float kPenumbra = 0.006F;
+constexpr float kPenumbra = 0.011F;
 constexpr float kBondWidth = 1.4F;  ///< logical pixels
 
 QVector3D single(const sim::Vec3& vector) {
@@ -291,7 +291,7 @@ void ViewportRenderer::paintGround(const PictureFrame& frame) {
         (frame.camera.eye() - collider.position).dot(collider.rotation * sim::Vec3::UnitZ()) > 0;
     const QVector3D colour = dark ? QVector3D(0.235F, 0.245F, 0.26F) : QVector3D(0.90F, 0.905F, 0.91F);
     program.setUniformValue("floorColour", QVector4D(colour, above ? 0.85F : 0.0F));
-    program.setUniformValue("shadowStrength", above ? (dark ? 0.55F : 0.32F) : 0.0F);
+    program.setUniformValue("shadowStrength", above ? (dark ? 0.42F : 0.28F) : 0.0F);
     drawGround(program, &collider);
   }
   if (!any && data.settings.grid) {
