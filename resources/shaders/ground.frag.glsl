@@ -35,7 +35,7 @@ void main() {
   float fade = 1.0 - smoothstep(0.15, 1.0, away);
   vec4 colour = vec4(floorColour.rgb, floorColour.a * fade);
   vec3 up = normalize(worldFromModel[2].xyz);
-  float dark = shadowStrength * (1.0 - litShare(world, up)) * fade;
+  float dark = shadowStrength * (1.0 - litShare(world, up) * openShare()) * fade;
   colour = over(vec4(0.0, 0.0, 0.0, dark), colour);
   colour = over(vec4(gridColour, gridOpacity * 0.35 * fade * lines(plane, footprint, 1.0)), colour);
   colour = over(vec4(gridStrongColour, gridOpacity * 0.55 * fade * lines(plane, footprint, 10.0)), colour);

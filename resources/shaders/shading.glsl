@@ -5,6 +5,8 @@ uniform sampler2DShadow shadowMap;
 uniform float shadowRadius;  // of the penumbra, in the map's coordinates
 uniform float shadowOffset;  // cm
 uniform bool shadows;
+uniform sampler2D occlusion;  // share of the sky that is seen, in half as many pixels
+uniform bool occludes;
 uniform vec3 skyLight;
 uniform vec3 groundLight;
 
@@ -28,6 +30,15 @@ float litShare(vec3 world, vec3 normal) {
   for (int i = 0; i < 16; ++i)
     sum += texture(shadowMap, vec3(at.xy + shadowRadius * (turn * kDisc[i]), at.z - bias));
   return sum / 16.0;
+}
+
+float openShare() {
+  if (!occludes) return 1.0;
+  vec2 texel = 1.0 / vec2(textureSize(occlusion, 0));
+  vec2 at = 0.5 * gl_FragCoord.xy * texel;
+  float sum = 0.0;
+  for (int i = 0; i < 4; ++i) sum += texture(occlusion, at + texel * (vec2(i & 1, i >> 1) * 2.0 - 1.0)).r;
+  return 0.25 * sum;
 }
 
 vec3 linearFromSrgb(vec3 colour) { return pow(colour, vec3(2.2)); }
@@ -61,11 +72,12 @@ vec3 shaded(vec3 world, vec3 normal, vec3 colour, float glaze) {
   float facing = clamp(dot(normal, view), 0.0, 1.0);
   float lit = litShare(world, normal);
   float key = max(dot(normal, lightDirection), 0.0) * lit;
-  vec3 ambient = mix(groundLight, skyLight, 0.5 + 0.5 * normal.z);
+  float open = openShare();
+  vec3 ambient = open * mix(groundLight, skyLight, 0.5 + 0.5 * normal.z);
   vec3 diffuse = albedo * (0.74 * ambient + vec3(0.80, 0.775, 0.73) * key + 0.12 * facing);
   if (glaze <= 0.0) return diffuse;
   float fresnel = glaze * (0.05 + 0.95 * pow(1.0 - facing, 5.0));
   vec3 mirrored = studio(reflect(-view, normal), 0.35 * (1.0 - glaze));
   // A shadow takes the lamp out of a mirror, not the backdrop: half is near enough.
-  return diffuse * (1.0 - fresnel) + fresnel * mirrored * (0.5 + 0.5 * lit);
+  return diffuse * (1.0 - fresnel) + fresnel * mirrored * (0.5 + 0.5 * lit) * open;
 }

@@ -39,6 +39,7 @@ bool GlPrograms::build(QString& why) {
          link(ballPick, {"ball.vert"}, {"ball_surface", "ball_pick.frag"}, why) &&
          link(bond, {"bond.vert"}, {"bond.frag"}, why) &&
          link(bondPick, {"bond.vert"}, {"bond_pick.frag"}, why) &&
+         link(occlusion, {"screen.vert"}, {"occlusion.frag"}, why) &&
          link(outline, {"screen.vert"}, {"outline.frag"}, why);
 }
 

@@ -17,6 +17,7 @@ struct GlPrograms {
   QOpenGLShaderProgram ballPick;
   QOpenGLShaderProgram bond;
   QOpenGLShaderProgram bondPick;
+  QOpenGLShaderProgram occlusion;
   QOpenGLShaderProgram outline;
 
   /// False where one does not compile; `why` is what the driver says.

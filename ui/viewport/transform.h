@@ -13,11 +13,11 @@ enum class TransformMode : std::uint8_t { move, rotate, scale };
 /// the things' own axes, because a turned lattice cannot be sheared.
 struct Transform {
   TransformMode mode = TransformMode::move;
-  sim::Vec3 pivot = sim::Vec3::Zero();         ///< cm
-  sim::Vec3 offset = sim::Vec3::Zero();        ///< move: cm
-  sim::Vec3 axis = sim::Vec3::UnitZ();         ///< rotate: unit
-  double angle = 0.0;                          ///< rotate: radians
-  sim::Vec3 factors = sim::Vec3::Ones();       ///< scale: each above 0
+  sim::Vec3 pivot = sim::Vec3::Zero();    ///< cm
+  sim::Vec3 offset = sim::Vec3::Zero();   ///< move: cm
+  sim::Vec3 axis = sim::Vec3::UnitZ();    ///< rotate: unit
+  double angle = 0.0;                     ///< rotate: radians
+  sim::Vec3 factors = sim::Vec3::Ones();  ///< scale: each above 0
 };
 
 /// Parts and colliders as they stood when a transform began.

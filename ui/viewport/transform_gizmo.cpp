@@ -49,8 +49,8 @@ std::array<sim::Vec3, 4> TransformGizmo::square(int axis, double length) const {
 }
 
 sim::Vec3 TransformGizmo::onRing(int axis, double angle, double radius) const {
-  return pivot_ + radius * (std::cos(angle) * direction((axis + 1) % 3) +
-                            std::sin(angle) * direction((axis + 2) % 3));
+  return pivot_ +
+         radius * (std::cos(angle) * direction((axis + 1) % 3) + std::sin(angle) * direction((axis + 2) % 3));
 }
 
 double TransformGizmo::distanceToAxis(int axis, const QPointF& pixel, const ViewCamera& camera,
@@ -125,7 +125,8 @@ void TransformGizmo::drawMoveOrScale(double length, const std::optional<Transfor
       for (int i = 0; i < 6; ++i) {
         const double share = i / 6.0;
         overlay.line(end + 0.16 * length * share * direction(axis),
-                     end + 0.16 * length * (share + 0.17) * direction(axis), colour, 9.0 * (1.0 - share) + 1.0);
+                     end + 0.16 * length * (share + 0.17) * direction(axis), colour,
+                     9.0 * (1.0 - share) + 1.0);
       }
     }
     const bool planeLit = isLit(lit, Kind::plane, axis);

@@ -27,6 +27,7 @@ struct ViewSettings {
   double explode = 0.0;  ///< fragments move away from the middle of their body by this share of the distance
   bool grid = true;
   bool shadows = true;
+  bool occlusion = true;           ///< corners and undersides darker, as they see less of the sky
   bool invisibleColliders = true;  ///< as outlines
   bool statistics = false;         ///< what drawing costs
   std::vector<std::string> hiddenParts;

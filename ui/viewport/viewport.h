@@ -32,7 +32,7 @@ class Viewport : public QOpenGLWidget {
   explicit Viewport(Session& session, QWidget* parent = nullptr);
   ~Viewport() override;
 
-  Session& session() { return session_; }
+  Session& session() const { return session_; }
   const ViewCamera& camera() const { return camera_; }
   ViewCamera& camera() { return camera_; }
   QSizeF viewSize() const { return QSizeF(size()); }

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/theme/theme.h"
@@ -19,6 +21,8 @@ constexpr GLsizei kShadowMapSize = 2048;
 const sim::Vec3 kLight = sim::Vec3(-0.45, -0.55, 1.0).normalized();
 /// Of the penumbra, relative to what casts shadows.
 constexpr float kPenumbra = 0.011F;
+/// How far off something darkens a corner, relative to all there is.
+constexpr double kOcclusionReach = 0.10;
 constexpr float kBondWidth = 1.4F;  ///< logical pixels
 
 QVector3D single(const sim::Vec3& vector) {
@@ -35,6 +39,11 @@ double groundReach(const Eigen::AlignedBox3d& box) {
   return std::max(60.0, box.isEmpty() ? 0.0 : 5.0 * box.diagonal().norm());
 }
 
+/// It is the surface that occludes; through one that is transparent it would be seen where nothing is.
+bool occludes(const ViewSettings& settings) {
+  return settings.occlusion && !settings.xray && (settings.surface || settings.levelSurface);
+}
+
 bool isDark(const Colours& colours) {
   return colours.viewBottom.lightnessF() < 0.5F;
 }
@@ -47,12 +56,20 @@ ViewportRenderer::ViewportRenderer()
       identities_(std::make_unique<GlTarget>(
           std::vector<GlTarget::Format>{{GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
                                         {GL_RGBA32F, GL_RGBA, GL_FLOAT},
-                                        {GL_RGBA16F, GL_RGBA, GL_FLOAT}})) {}
+                                        {GL_RGBA16F, GL_RGBA, GL_FLOAT}})),
+      places_(std::make_unique<GlTarget>(
+          std::vector<GlTarget::Format>{{GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE},
+                                        {GL_RGBA32F, GL_RGBA, GL_FLOAT},
+                                        {GL_RGBA16F, GL_RGBA, GL_FLOAT}})),
+      occlusion_(
+          std::make_unique<GlTarget>(std::vector<GlTarget::Format>{{GL_R8, GL_RED, GL_UNSIGNED_BYTE}})) {}
 
 ViewportRenderer::~ViewportRenderer() {
   if (!scene_) return;
   mask_->destroy(gl_);
   identities_->destroy(gl_);
+  places_->destroy(gl_);
+  occlusion_->destroy(gl_);
   gl_.glDeleteFramebuffers(1, &shadowBuffer_);
   gl_.glDeleteTextures(1, &shadowMap_);
 }
@@ -117,11 +134,17 @@ void ViewportRenderer::useLight(QOpenGLShaderProgram& program, const PictureFram
   program.setUniformValue("shadowOffset", shadowOffset_);
   program.setUniformValue("shadows", scene_->data().settings.shadows && !casters().isEmpty());
   program.setUniformValue("shadowMap", 1);
+  program.setUniformValue("occlusion", 2);
+  program.setUniformValue("occludes", occludes(scene_->data().settings));
   program.setUniformValue("skyLight", dark ? QVector3D(0.50F, 0.53F, 0.58F) : QVector3D(0.66F, 0.68F, 0.71F));
   program.setUniformValue("groundLight",
                           dark ? QVector3D(0.13F, 0.13F, 0.135F) : QVector3D(0.33F, 0.32F, 0.31F));
   gl_.glActiveTexture(GL_TEXTURE1);
   gl_.glBindTexture(GL_TEXTURE_2D, shadowMap_);
+  if (occludes(scene_->data().settings)) {
+    gl_.glActiveTexture(GL_TEXTURE2);
+    gl_.glBindTexture(GL_TEXTURE_2D, occlusion_->texture(0));
+  }
   gl_.glActiveTexture(GL_TEXTURE0);
 }
 
@@ -173,6 +196,40 @@ void ViewportRenderer::paintShadowMap() {
   balls.setUniformValue("orthographic", true);
   balls.setUniformValue("nodePositions", 0);
   scene_->drawBalls();
+}
+
+void ViewportRenderer::paintOcclusion(const PictureFrame& frame) {
+  const Eigen::AlignedBox3d box = casters();
+  if (!occludes(scene_->data().settings) || box.isEmpty()) return;
+  const QSize pixels = (frame.ratio * frame.size).toSize();
+  const QSize half(std::max((pixels.width() + 1) / 2, 1), std::max((pixels.height() + 1) / 2, 1));
+  places_->bind(gl_, half);
+  gl_.glEnable(GL_DEPTH_TEST);
+  const std::array<GLfloat, 4> nothing{};
+  gl_.glClearBufferfv(GL_COLOR, 1, nothing.data());
+  gl_.glClear(GL_DEPTH_BUFFER_BIT);
+  identifySolids(frame);
+  if (scene_->data().settings.surface) identifySurface(frame);
+
+  occlusion_->bind(gl_, half);
+  gl_.glDisable(GL_DEPTH_TEST);
+  QOpenGLShaderProgram& program = programs_->occlusion;
+  useCamera(program, frame);
+  const sim::Vec3 ahead = frame.camera.eye() + frame.camera.forward();
+  const double cmAPixel = frame.camera.pixelSize(ahead, frame.size);
+  program.setUniformValue("places", 0);
+  program.setUniformValue("normals", 3);
+  program.setUniformValue("radius", static_cast<float>(kOcclusionReach * box.diagonal().norm()));
+  program.setUniformValue("pixelsAtOne", static_cast<float>(0.5 * frame.ratio / cmAPixel));
+  gl_.glActiveTexture(GL_TEXTURE3);
+  gl_.glBindTexture(GL_TEXTURE_2D, places_->texture(2));
+  gl_.glActiveTexture(GL_TEXTURE0);
+  gl_.glBindTexture(GL_TEXTURE_2D, places_->texture(1));
+  scene_->drawScreen();
+  // Read between its pixels, which blurs it.
+  gl_.glBindTexture(GL_TEXTURE_2D, occlusion_->texture(0));
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 void ViewportRenderer::paintBackground(const PictureFrame& frame) {
@@ -348,6 +405,7 @@ void ViewportRenderer::paint(const PictureFrame& frame) {
     paintShadowMap();
     shadowOf_ = scene_->dataPointer();
   }
+  paintOcclusion(frame);
   gl_.glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
   gl_.glViewport(0, 0, pixels.width(), pixels.height());
   gl_.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

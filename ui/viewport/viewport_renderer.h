@@ -60,6 +60,7 @@ class ViewportRenderer {
   void useCamera(QOpenGLShaderProgram& program, const PictureFrame& frame);
   void useLight(QOpenGLShaderProgram& program, const PictureFrame& frame);
   void paintShadowMap();
+  void paintOcclusion(const PictureFrame& frame);
   void paintBackground(const PictureFrame& frame);
   void paintSolids(const PictureFrame& frame);
   void paintBalls(const PictureFrame& frame);
@@ -69,6 +70,7 @@ class ViewportRenderer {
   void paintOutline(const PictureFrame& frame);
   void drawGround(QOpenGLShaderProgram& program, const sim::Collider* floor);
   void identifySolids(const PictureFrame& frame);
+  void identifySurface(const PictureFrame& frame);
   void identifyLattice(const PictureFrame& frame, double reach);
   PickedThing readNearest(const PictureFrame& frame, const QPointF& at, int reach);
   Eigen::AlignedBox3d casters() const;
@@ -79,6 +81,8 @@ class ViewportRenderer {
   std::unique_ptr<GpuScene> scene_;
   std::unique_ptr<GlTarget> mask_;
   std::unique_ptr<GlTarget> identities_;
+  std::unique_ptr<GlTarget> places_;     ///< where what is seen is, and how it is turned
+  std::unique_ptr<GlTarget> occlusion_;  ///< what of the sky it sees
   GLuint shadowMap_ = 0;
   GLuint shadowBuffer_ = 0;
   std::shared_ptr<const DrawData> shadowOf_;

@@ -74,23 +74,24 @@ void ViewportRenderer::identifySolids(const PictureFrame& frame) {
   scene_->drawLevel(solid);
 }
 
+void ViewportRenderer::identifySurface(const PictureFrame& frame) {
+  QOpenGLShaderProgram& solid = programs_->solidPick;
+  useCamera(solid, frame);
+  solid.setUniformValue("firstIndex", 0U);
+  solid.setUniformValue("kind", static_cast<GLuint>(kFace));
+  solid.setUniformValue("primitivesEach", 2U);
+  scene_->drawSurface(solid, false);
+  if (scene_->data().settings.isolated != IsolatedNodes::tetrahedra) return;
+  solid.setUniformValue("kind", static_cast<GLuint>(kShard));
+  solid.setUniformValue("primitivesEach", 1U);
+  scene_->drawShards(solid);
+}
+
 void ViewportRenderer::identifyLattice(const PictureFrame& frame, double reach) {
   const ViewSettings& settings = scene_->data().settings;
   // Who looks through the surface at nodes or bonds means those.
   const bool seesThrough = settings.xray && (settings.nodes || settings.bonds);
-  if (settings.surface && !seesThrough) {
-    QOpenGLShaderProgram& solid = programs_->solidPick;
-    useCamera(solid, frame);
-    solid.setUniformValue("firstIndex", 0U);
-    solid.setUniformValue("kind", static_cast<GLuint>(kFace));
-    solid.setUniformValue("primitivesEach", 2U);
-    scene_->drawSurface(solid, false);
-    if (settings.isolated == IsolatedNodes::tetrahedra) {
-      solid.setUniformValue("kind", static_cast<GLuint>(kShard));
-      solid.setUniformValue("primitivesEach", 1U);
-      scene_->drawShards(solid);
-    }
-  }
+  if (settings.surface && !seesThrough) identifySurface(frame);
   if (settings.bonds) {
     QOpenGLShaderProgram& bond = programs_->bondPick;
     useCamera(bond, frame);

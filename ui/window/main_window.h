@@ -55,6 +55,7 @@ class MainWindow : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeNavigationMenu();
   void makeSimulateMenu();
   void makeHelpMenu();
   void makeToolBar();

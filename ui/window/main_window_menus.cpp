@@ -9,6 +9,8 @@
 #include "ui/panels/scene_actions.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/play_actions.h"
+#include "ui/viewport/view_actions.h"
+#include "ui/viewport/view_bars.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/main_window.h"
@@ -49,11 +51,34 @@ void MainWindow::makeEditMenu() {
   addActions_->fill(*menuBar()->addMenu(tr("&Add")));
 }
 
+void MainWindow::makeNavigationMenu() {
+  QMenu* menu = viewMenu_->addMenu(tr("&Navigation"));
+  auto* group = new QActionGroup(this);
+  const bool isMaya = QSettings().value("navigation").toString() == "maya";
+  const auto add = [&](const QString& name, const QString& tip, NavigationPreset preset, bool present) {
+    QAction* action = menu->addAction(name, this, [this, preset] {
+      viewport_->setNavigationPreset(preset);
+      QSettings().setValue("navigation", preset == NavigationPreset::maya ? "maya" : "blender");
+    });
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    action->setChecked(present);
+    group->addAction(action);
+  };
+  menu->setToolTipsVisible(true);
+  add(tr("As in &Blender"), tr("Middle button: orbit; with Shift: pan; with Ctrl or the wheel: zoom"),
+      NavigationPreset::blender, !isMaya);
+  add(tr("As in &Maya"), tr("With Alt, left button: orbit; middle: pan; right: zoom"), NavigationPreset::maya,
+      isMaya);
+  if (isMaya) viewport_->setNavigationPreset(NavigationPreset::maya);
+}
+
 void MainWindow::makeViewMenu() {
   viewMenu_ = menuBar()->addMenu(tr("&View"));
-  viewMenu_->addAction(Theme::icon("frame"), tr("Frame &All"), QKeySequence(Qt::Key_Home), viewport_,
-                       &Viewport::frameAll);
-  viewMenu_->addAction(tr("Frame &Selection"), QKeySequence(Qt::Key_F), viewport_, &Viewport::frameSelection);
+  auto* views = new ViewActions(*viewport_);
+  new ViewBars(*viewport_, *views);
+  views->addTo(*viewMenu_);
+  makeNavigationMenu();
   viewMenu_->addSeparator();
   QMenu* panels = viewMenu_->addMenu(tr("&Panels"));
   for (QDockWidget* dock : docks_) panels->addAction(dock->toggleViewAction());
