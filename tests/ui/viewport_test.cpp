@@ -33,7 +33,7 @@ struct Stage {
     viewport.camera().look({-1.0, 0.0, 1.5}, 24.0, -1.5707963, 0.25);
     viewport.update();
     viewport.activateWindow();
-    QTest::qWaitForWindowActive(&viewport);
+    REQUIRE(QTest::qWaitForWindowActive(&viewport));
     viewport.setFocus();
   }
 

@@ -48,6 +48,8 @@ Viewport::Viewport(Session& session, QWidget* parent)
 }
 
 Viewport::~Viewport() {
+  // The context ends after this, and would tell it.
+  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
   destroyRenderer();
 }
 
@@ -110,22 +112,18 @@ Eigen::AlignedBox3d Viewport::everything() const {
 
 Eigen::AlignedBox3d Viewport::selectionBox() const {
   Eigen::AlignedBox3d box;
-  const modeling::Scene& scene = session_.document().scene();
-  for (const Item& item : session_.selection().items()) {
-    if (item.kind == ItemKind::collider && item.index < scene.environment.colliders.size()) {
-      for (const sim::Collider& collider : drawn_->colliders) {
-        if (collider.name != scene.environment.colliders[item.index].name) continue;
-        box.extend(boxOf(collider));
-        box.extend(collider.position);
-      }
-    }
-    if (item.kind != ItemKind::part || item.index >= scene.parts.size() || !drawn_->motion) continue;
-    const sim::Network& network = *drawn_->shown.network;
-    for (std::size_t node = 0; node < network.nodeCount(); ++node) {
-      if (network.nodeParts[node] >= network.partNames.size()) continue;
-      if (network.partNames[network.nodeParts[node]] != scene.parts[item.index].name) continue;
-      box.extend(Eigen::Map<const Eigen::Vector3f>(drawn_->motion->positions[node].data()).cast<double>());
-    }
+  const PictureFrame frame = pictureFrame();
+  for (const std::size_t collider : frame.outlinedColliders) {
+    box.extend(boxOf(drawn_->colliders[collider]));
+    box.extend(drawn_->colliders[collider].position);
+  }
+  if (frame.outlinedParts.empty() || !drawn_->motion) return box;
+  const sim::Network& network = *drawn_->shown.network;
+  std::vector<std::uint8_t> chosen(network.partNames.size(), 0);
+  for (const sim::PartIndex part : frame.outlinedParts) chosen[part] = 1;
+  for (std::size_t node = 0; node < network.nodeCount(); ++node) {
+    if (network.nodeParts[node] >= chosen.size() || chosen[network.nodeParts[node]] == 0) continue;
+    box.extend(Eigen::Map<const Eigen::Vector3f>(drawn_->motion->positions[node].data()).cast<double>());
   }
   return box;
 }
