@@ -27,6 +27,17 @@ QString breakText(const sim::BreakEvent& event) {
   return when + Viewport::tr(", stretched by %1").arg(percent(static_cast<double>(event.strain)));
 }
 
+QString weightText(const DrawData& data, sim::FragmentId id) {
+  for (const sim::Fragment& fragment : data.shown.moment->fragments) {
+    if (fragment.id != id) continue;
+    return Viewport::tr("<br>%L1 nodes, %2 g<br>speed %3 cm/s")
+        .arg(fragment.nodeCount)
+        .arg(fragment.mass, 0, 'g', 4)
+        .arg(fragment.velocity.norm(), 0, 'g', 4);
+  }
+  return {};
+}
+
 QString partText(const DrawData& data, const Pick& pick) {
   const sim::Network& network = *data.shown.network;
   QString name;
@@ -34,7 +45,8 @@ QString partText(const DrawData& data, const Pick& pick) {
     name = QString::fromStdString(network.partNames[network.nodeParts[pick.node]]).toHtmlEscaped();
   switch (pick.kind) {
     case Pick::Kind::fragment:
-      return Viewport::tr("<b>Fragment %1</b><br>of %2").arg(pick.index).arg(name);
+      return Viewport::tr("<b>Fragment %1</b><br>of %2").arg(pick.index).arg(name) +
+             weightText(data, pick.index);
     case Pick::Kind::cell:
       return Viewport::tr("<b>Cell %1</b><br>of %2").arg(pick.index).arg(name);
     default:
