@@ -20,7 +20,7 @@ constexpr GLsizei kShadowMapSize = 2048;
 /// From the front left above, as a photographer would for someone who looks from the front.
 const sim::Vec3 kLight = sim::Vec3(-0.45, -0.55, 1.0).normalized();
 /// Of the penumbra, relative to what casts shadows.
-constexpr float kPenumbra = 0.011F;
+constexpr float kPenumbra = 0.008F;
 /// How far off something darkens a corner, relative to all there is.
 constexpr double kOcclusionReach = 0.10;
 constexpr float kBondWidth = 1.4F;  ///< logical pixels
@@ -171,7 +171,7 @@ void ViewportRenderer::paintShadowMap() {
   halfAndHalf.scale(0.5F);
   shadowFromWorld_ = halfAndHalf * clip * view;
   shadowRadius_ = kPenumbra;
-  shadowOffset_ = 2.0F * radius * kPenumbra;
+  shadowOffset_ = 1.6F * radius * kPenumbra;
 
   gl_.glBindFramebuffer(GL_FRAMEBUFFER, shadowBuffer_);
   gl_.glViewport(0, 0, kShadowMapSize, kShadowMapSize);
