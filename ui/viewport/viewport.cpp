@@ -41,6 +41,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_, &Session::shownChanged, this, &Viewport::prepare);
   connect(&session_, &Session::previewChanged, this, &Viewport::frameFirst);
   connect(&session_.document(), &Document::replaced, this, [this] { frameWhenShown_ = true; });
+  connect(&session_.document(), &Document::sceneChanged, this, &Viewport::prepareIfHidden);
   connect(&session_.selection(), &Selection::changed, this, qOverload<>(&QWidget::update));
   connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
   connect(flight_, &CameraFlight::moved, this, &Viewport::moved);
@@ -67,8 +68,20 @@ void Viewport::setViewSettings(const ViewSettings& settings) {
   emit viewSettingsChanged();
 }
 
+ViewSettings Viewport::effectiveSettings() const {
+  ViewSettings settings = viewSettings_;
+  const std::vector<std::string>& hidden = session_.document().scene().view.hidden;
+  settings.hiddenParts.insert(settings.hiddenParts.end(), hidden.begin(), hidden.end());
+  return settings;
+}
+
+void Viewport::prepareIfHidden() {
+  if (effectiveSettings() != requested_) prepare();
+}
+
 void Viewport::prepare() {
-  preparer_.request(session_.shown(), viewSettings_);
+  requested_ = effectiveSettings();
+  preparer_.request(session_.shown(), requested_);
   preparing_.start();
 }
 
@@ -84,7 +97,7 @@ void Viewport::takePrepared() {
 
 bool Viewport::isUpToDate() const {
   const Shown& shown = session_.shown();
-  return !preparer_.isBusy() && drawn_ == preparer_.newest() && drawn_->settings == viewSettings_ &&
+  return !preparer_.isBusy() && drawn_ == preparer_.newest() && drawn_->settings == effectiveSettings() &&
          drawn_->shown.network == shown.network && drawn_->shown.moment == shown.moment;
 }
 

@@ -89,7 +89,10 @@ class Viewport : public QOpenGLWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  /// With what the document hides.
+  ViewSettings effectiveSettings() const;
   void prepare();
+  void prepareIfHidden();
   void takePrepared();
   void frameFirst();
   void destroyRenderer();
@@ -109,6 +112,7 @@ class Viewport : public QOpenGLWidget {
   Session& session_;
   ViewCamera camera_;
   ViewSettings viewSettings_;
+  ViewSettings requested_;  ///< of the preparer
   Navigator navigator_;
   AxisGizmo axisGizmo_;
   CameraFlight* flight_ = nullptr;

@@ -4,6 +4,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include "ui/document/scene_edits.h"
 #include "ui/viewport/camera_flight.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_renderer.h"
@@ -164,6 +165,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 
 void Viewport::select(const Pick& pick, Qt::KeyboardModifiers modifiers) {
   Selection& selection = session_.selection();
+  if (pick.item && isLocked(session_.document().scene(), *pick.item)) return;
   const bool adds = modifiers.testFlag(Qt::ShiftModifier) || modifiers.testFlag(Qt::ControlModifier);
   if (pick.item && adds) {
     selection.toggle(*pick.item);
