@@ -17,6 +17,7 @@ class QToolBar;
 namespace ui {
 
 class AddActions;
+class EditorActions;
 class Gallery;
 class PlayActions;
 class PreflightDialog;
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   // Made once, in this order (main_window_layout.cpp, main_window_menus.cpp).
   void makeCentre();
   void makeDocks();
+  void makeEditors();
   void makeMenus();
   void makeFileMenu();
   void makeEditMenu();
@@ -86,6 +88,7 @@ class MainWindow : public QMainWindow {
   SceneActions* sceneActions_ = nullptr;
   AddActions* addActions_ = nullptr;
   PreflightDialog* preflight_ = nullptr;
+  EditorActions* editorActions_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

@@ -8,6 +8,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "ui/editors/editor_actions.h"
+#include "ui/editors/profile_editor.h"
 #include "ui/panels/add_actions.h"
 #include "ui/panels/diagnostics_panel.h"
 #include "ui/panels/empty_scene.h"
@@ -76,6 +78,23 @@ void MainWindow::makeDocks() {
   // It has no name to show and nowhere better to be; its room is for the time.
   dock->setTitleBarWidget(new QWidget(dock));
   dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  makeEditors();
+}
+
+void MainWindow::makeEditors() {
+  editorActions_ = new EditorActions(session_, *viewport_, this);
+  addAction(editorActions_->glue());
+  QDockWidget* profile = addDock(QStringLiteral("profile"), tr("Profile"), new ProfileEditor(session_, this),
+                                 Qt::LeftDockWidgetArea);
+  tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("outliner")), profile);
+  profile->hide();
+  connect(editorActions_, &EditorActions::profileWanted, profile, [this, profile] {
+    constexpr int kRoomToDraw = 460;  // logical pixels
+    profile->show();
+    profile->raise();
+    if (profile->width() < kRoomToDraw) resizeDocks({profile}, {kRoomToDraw}, Qt::Horizontal);
+    if (profile->height() < kRoomToDraw) resizeDocks({profile}, {kRoomToDraw}, Qt::Vertical);
+  });
 }
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content,

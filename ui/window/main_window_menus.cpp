@@ -3,6 +3,7 @@
 #include <QMenuBar>
 #include <QSettings>
 
+#include "ui/editors/editor_actions.h"
 #include "ui/panels/add_actions.h"
 #include "ui/panels/long_run_notice.h"
 #include "ui/panels/preflight_dialog.h"
@@ -46,6 +47,8 @@ void MainWindow::makeEditMenu() {
   menu->addAction(redo);
   menu->addSeparator();
   sceneActions_->fill(*menu);
+  menu->addSeparator();
+  menu->addActions({editorActions_->editPoints(), editorActions_->glue(), editorActions_->tuneThreshold()});
   addActions_->fill(*menuBar()->addMenu(tr("&Add")));
 }
 
