@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 #include <variant>
 
+#include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "sim/control/track.h"
 
@@ -12,27 +14,6 @@ namespace modeling {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-
-sim::Collider colliderOf(const SceneCollider& made) {
-  sim::Collider collider;
-  collider.name = made.name;
-  collider.position = made.position;
-  collider.rotation = made.rotation.quaternion();
-  collider.visible = made.visible;
-  if (std::holds_alternative<FloorShape>(made.form)) collider.shape = sim::ColliderShape::floor;
-  if (const auto* box = std::get_if<BoxShape>(&made.form)) {
-    collider.shape = sim::ColliderShape::box;
-    collider.halfSize = box->halfSize;
-  } else if (const auto* sphere = std::get_if<SphereShape>(&made.form)) {
-    collider.shape = sim::ColliderShape::sphere;
-    collider.radius = sphere->radius;
-  } else if (const auto* cylinder = std::get_if<CylinderShape>(&made.form)) {
-    collider.shape = sim::ColliderShape::cylinder;
-    collider.radius = cylinder->radius;
-    collider.halfHeight = cylinder->halfHeight;
-  }
-  return collider;
-}
 
 sim::Vec3 vectorAt(const SceneTrack& track, double time) {
   sim::Track values;
@@ -63,7 +44,8 @@ std::vector<Look> looksOf(const Scene& scene, const sim::Network& network) {
 std::vector<sim::Collider> collidersAt(const Scene& scene, double time) {
   std::vector<sim::Collider> colliders;
   for (const SceneCollider& made : scene.environment.colliders) {
-    sim::Collider& collider = colliders.emplace_back(colliderOf(made));
+    sim::Collider collider = colliderOf(made);
+    if (!collider.activeAt(time)) continue;
     for (const SceneTrack& track : scene.tracks) {
       if (track.target.object != made.name) continue;
       if (track.target.target == sim::TrackTarget::colliderPosition)
@@ -74,6 +56,7 @@ std::vector<sim::Collider> collidersAt(const Scene& scene, double time) {
             Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * made.rotation.quaternion();
       }
     }
+    colliders.push_back(std::move(collider));
   }
   return colliders;
 }

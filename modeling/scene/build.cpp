@@ -117,19 +117,6 @@ struct ColliderFormInto {
   }
 };
 
-sim::Collider colliderOf(const SceneCollider& written) {
-  sim::Collider collider;
-  collider.name = written.name;
-  std::visit(ColliderFormInto{collider}, written.form);
-  collider.position = written.position;
-  collider.rotation = written.rotation.quaternion();
-  collider.stiffness = written.stiffness;
-  collider.dampingRatio = written.dampingRatio;
-  collider.friction = written.friction;
-  collider.visible = written.visible;
-  return collider;
-}
-
 sim::Track trackOf(const SceneTrack& written) {
   sim::Track track;
   track.target = written.target.target;
@@ -182,6 +169,23 @@ sim::Settings settingsOf(const Solver& solver) {
 }
 
 }  // namespace
+
+sim::Collider colliderOf(const SceneCollider& written) {
+  sim::Collider collider;
+  collider.name = written.name;
+  std::visit(ColliderFormInto{collider}, written.form);
+  collider.position = written.position;
+  collider.rotation = written.rotation.quaternion();
+  collider.stiffness = written.stiffness;
+  collider.dampingRatio = written.dampingRatio;
+  collider.friction = written.friction;
+  collider.visible = written.visible;
+  if (written.active) {
+    collider.activeFrom = (*written.active)[0];
+    collider.activeUntil = (*written.active)[1];
+  }
+  return collider;
+}
 
 Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& materials) {
   Conditions conditions;

@@ -26,6 +26,9 @@ struct Conditions {
 /// several tracks.
 Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& materials);
 
+/// Where it stands without tracks.
+sim::Collider colliderOf(const SceneCollider& written);
+
 struct PartReport {
   std::string name;
   std::size_t nodes = 0;   ///< before gluing

@@ -83,6 +83,12 @@ MaybeProblem checkGluing(const std::string& place, const Gluing& gluing, const N
   return gluing.region ? checkBox(place + ".region", *gluing.region) : std::nullopt;
 }
 
+MaybeProblem checkCollider(const std::string& place, const SceneCollider& collider) {
+  if (!collider.active || (*collider.active)[0] < (*collider.active)[1]) return std::nullopt;
+  return Problem{place + ".active", "the collider " + inQuotes(collider.name) + " goes before it comes",
+                 "give the later time last"};
+}
+
 MaybeProblem checkTarget(const std::string& place, const TargetName& target, const Names& materials,
                          const Names& colliders) {
   using sim::TrackTarget;
@@ -131,6 +137,10 @@ MaybeProblem firstProblem(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.glue.size(); ++i) {
     if (auto problem = checkGluing(indexed("glue", i), scene.glue[i], parts)) return problem;
+  }
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    if (auto problem = checkCollider(indexed("environment.colliders", i), scene.environment.colliders[i]))
+      return problem;
   }
   for (std::size_t i = 0; i < scene.tracks.size(); ++i) {
     const std::string place = indexed("tracks", i);

@@ -146,6 +146,7 @@ struct SceneCollider {
   double dampingRatio = sim::Collider{}.dampingRatio;
   double friction = sim::Collider{}.friction;
   bool visible = true;
+  std::optional<std::array<double, 2>> active;  ///< s, from and until, the end excluded; absent: always
 
   bool operator==(const SceneCollider&) const = default;
 };

@@ -232,7 +232,9 @@ struct Fields<SceneCollider> {
             .above(0),
         field("dampingRatio", &T::dampingRatio, "Relative to critical.").atLeast(0),
         field("friction", &T::friction, "Lateral force relative to the push.").atLeast(0),
-        field("visible", &T::visible, "Whether it is drawn; it pushes either way.")};
+        field("visible", &T::visible, "Whether it is drawn; it pushes either way."),
+        field("active", &T::active,
+              "Seconds, from and until: at other times it is not there; null: always.")};
   }
 };
 
@@ -250,9 +252,11 @@ struct Fields<SceneTrack> {
   static constexpr auto list() {
     using T = SceneTrack;
     return std::tuple{
-        field("target", &T::target,
-              "gravity, gravity.scale, stiffness.scale[.MATERIAL], damping.scale[.MATERIAL], "
-              "collider.NAME.position or collider.NAME.rotation (a rotation vector in degrees).")
+        field(
+            "target", &T::target,
+            "gravity, gravity.scale, stiffness.scale[.MATERIAL], damping.scale[.MATERIAL], "
+            "collider.NAME.position or collider.NAME.rotation (a rotation vector in degrees). Scales of one "
+            "target multiply; of several gravity tracks the last one that has begun counts.")
             .required(),
         field("keys", &T::keys, "Pairs of time in seconds and value.").required(),
         field("interpolation", &T::interpolation, "Between two keys.")};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,10 @@ struct Collider {
   double dampingRatio = 0.3;  ///< d relative to critical, 2 sqrt(k m), of the intruding node
   double friction = 0.4;      ///< lateral force relative to k X (P10)
   bool visible = true;        ///< drawn; invisible ones still push ("invisible characters")
+  double activeFrom = -std::numeric_limits<double>::infinity();  ///< s: before it does nothing at all, ...
+  double activeUntil = std::numeric_limits<double>::infinity();  ///< s: ... nor from then on
+
+  bool activeAt(double time) const { return activeFrom <= time && time < activeUntil; }
 };
 
 /// How deep a point is inside, and the way out. depth <= 0: outside, by at least -depth... the exact distance

@@ -222,6 +222,7 @@ std::vector<Contacts::NearCollider> Contacts::collectColliders(
     std::span<const MovingCollider> colliders) const {
   std::vector<NearCollider> near;
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
+    if (!colliders[c].active) continue;
     const Collider& collider = colliders[c].shape;
     const auto fragments = fragmentsNear(collider, boxes, components.births().size());
     if (std::find(fragments.begin(), fragments.end(), 1) == fragments.end()) continue;
@@ -300,7 +301,7 @@ void Contacts::noteLengths() {
 void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
                        std::span<const MovingCollider> colliders) {
   const bool several = settings_.between && components.births().size() > 1;
-  hasColliders_ = !colliders.empty();
+  hasColliders_ = std::ranges::any_of(colliders, &MovingCollider::active);
   std::vector<Candidate> pairs;
   collectBroken(motion, components, pairs);
   // Nodes without bonds have no size.

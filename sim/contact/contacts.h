@@ -20,6 +20,7 @@ struct MovingCollider {
   Collider shape;
   Vec3 velocity = Vec3::Zero();         ///< of its origin, cm/s
   Vec3 angularVelocity = Vec3::Zero();  ///< rad/s
+  bool active = true;                   ///< else it is as if it were not there
 
   Vec3 velocityAt(const Vec3& point) const {
     return velocity + angularVelocity.cross(point - shape.position);
@@ -67,6 +68,8 @@ class Contacts {
   void noteBirths();
   /// No collider moved further than this since the rows were last asked whether they are stale, cm.
   void moveColliders(double travel);
+  /// Other colliders push than before: rows are stale.
+  void changeColliders() { stale_ = true; }
   /// Ages the rows by one step in which no node moved further than `travel` (cm).
   void age(const Motion& motion, double travel);
   bool stale() const { return stale_; }

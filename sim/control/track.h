@@ -12,7 +12,8 @@ enum class Interpolation { step, linear, smooth };
 /// What a track drives. Scales multiply the value built from the scene.
 enum class TrackTarget {
   gravityScale,      ///< scalar
-  gravity,           ///< vector, cm/s^2: replaces the environment's
+  gravity,           ///< vector, cm/s^2: replaces the environment's. Of several tracks the last one counts
+                     ///< whose first key has been reached, or else the first
   stiffnessScale,    ///< scalar: bond stiffness k of one material, or of all (object == kNone)
   dampingScale,      ///< scalar: bond damping d of one material, or of all
   colliderPosition,  ///< vector, cm: the collider's origin; its velocity is the track's slope

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sim {
 namespace {
@@ -22,88 +23,151 @@ double reachOf(const Collider& collider) {
   return 0.0;
 }
 
+/// Whether they push alike where they are.
+bool sameKind(const Collider& left, const Collider& right) {
+  return left.halfSize == right.halfSize && left.radius == right.radius &&
+         left.halfHeight == right.halfHeight && left.stiffness == right.stiffness &&
+         left.dampingRatio == right.dampingRatio && left.friction == right.friction;
+}
+
+bool drives(const Track& track, TrackTarget target, std::uint32_t object) {
+  return track.target == target && track.object == object;
+}
+
+bool drivesCollider(const Track& track) {
+  return track.target == TrackTarget::colliderPosition || track.target == TrackTarget::colliderRotation;
+}
+
 }  // namespace
 
 Controls::Controls(const Network& network, Environment environment, std::vector<Track> tracks)
-    : environment_(std::move(environment)),
-      tracks_(std::move(tracks)),
-      gravity_(environment_.gravity),
-      materials_(network.materials.size()) {
-  for (const Collider& collider : environment_.colliders)
-    colliders_.push_back({collider, Vec3::Zero(), Vec3::Zero()});
-  moved_.assign(colliders_.size(), 0);
+    : gravity_(environment.gravity), materials_(network.materials.size()) {
   for (std::size_t m = 0; m < materials_.size(); ++m)
     materials_[m].yieldStrain = network.materials[m].yieldStrain;
+  replan(std::move(environment), std::move(tracks));
+}
+
+void Controls::replan(Environment environment, std::vector<Track> tracks) {
+  environment_ = std::move(environment);
+  tracks_ = std::move(tracks);
+  for (std::size_t c = colliders_.size(); c < environment_.colliders.size(); ++c)
+    colliders_.push_back({environment_.colliders[c], Vec3::Zero(), Vec3::Zero(), false});
+  moved_.resize(colliders_.size(), 0);
+  constantUntil_ = -std::numeric_limits<double>::infinity();
 }
 
 Controls::Change Controls::moveTo(double time) {
-  if (tracks_.empty()) return {};
   Change change;
-  change.leap = moveColliders(time);
-  Vec3 gravity = environment_.gravity;
-  double gravityScale = 1.0;
-  std::vector<MaterialNow> materials = materials_;
-  for (MaterialNow& material : materials) material.stiffnessScale = material.dampingScale = 1.0;
-  const auto scaleMaterials = [&](const Track& track, double MaterialNow::*scale) {
-    for (std::size_t m = 0; m < materials.size(); ++m) {
-      if (track.object == kNone || track.object == m) materials[m].*scale *= track.valueAt(time).x();
-    }
-  };
-  for (const Track& track : tracks_) {
-    if (track.target == TrackTarget::gravity) gravity = track.valueAt(time);
-    if (track.target == TrackTarget::gravityScale) gravityScale *= track.valueAt(time).x();
-    if (track.target == TrackTarget::stiffnessScale) scaleMaterials(track, &MaterialNow::stiffnessScale);
-    if (track.target == TrackTarget::dampingScale) scaleMaterials(track, &MaterialNow::dampingScale);
-  }
-  gravity *= gravityScale;
+  moveColliders(time, change);
+  const Vec3 gravity = gravityAt(time);
   change.gravity = gravity != gravity_;
   gravity_ = gravity;
+  std::vector<MaterialNow> materials = materialsAt(time);
   change.stiffness = !std::equal(materials.begin(), materials.end(), materials_.begin(),
                                  [](const MaterialNow& left, const MaterialNow& right) {
                                    return left.stiffnessScale == right.stiffnessScale &&
                                           left.dampingScale == right.dampingScale;
                                  });
   materials_ = std::move(materials);
+  constantUntil_ = constantFrom(time);
   return change;
 }
 
-bool Controls::moveColliders(double time) {
-  colliderTravel_ = 0.0;
-  std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
-  bool leapt = false;
+Vec3 Controls::gravityAt(double time) const {
+  Vec3 gravity = environment_.gravity;
+  double scale = 1.0;
+  bool given = false;
   for (const Track& track : tracks_) {
-    const bool shifts = track.target == TrackTarget::colliderPosition;
-    const bool turns = track.target == TrackTarget::colliderRotation;
-    if (!shifts && !turns) continue;
-    MovingCollider& collider = colliders_[track.object];
-    double travel = 0.0;
-    if (shifts) {
-      const Vec3 before = collider.shape.position;
-      collider.shape.position = track.valueAt(time);
-      collider.velocity = track.slopeAt(time);
-      travel = (collider.shape.position - before).norm();
-    } else {
+    if (track.target == TrackTarget::gravityScale) scale *= track.valueAt(time).x();
+    if (track.target != TrackTarget::gravity) continue;
+    if (!given || track.keys.front().time <= time) gravity = track.valueAt(time);
+    given = true;
+  }
+  return scale * gravity;
+}
+
+std::vector<MaterialNow> Controls::materialsAt(double time) const {
+  std::vector<MaterialNow> materials = materials_;
+  for (MaterialNow& material : materials) material.stiffnessScale = material.dampingScale = 1.0;
+  for (const Track& track : tracks_) {
+    const bool stiffness = track.target == TrackTarget::stiffnessScale;
+    if (!stiffness && track.target != TrackTarget::dampingScale) continue;
+    double MaterialNow::*scale = stiffness ? &MaterialNow::stiffnessScale : &MaterialNow::dampingScale;
+    const double value = track.valueAt(time).x();
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+      if (track.object == kNone || track.object == m) materials[m].*scale *= value;
+    }
+  }
+  return materials;
+}
+
+void Controls::moveColliders(double time, Change& change) {
+  colliderTravel_ = 0.0;
+  for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
+    moved_[c] = 0;
+    if (!colliders_[c].active && !environment_.colliders[c].activeAt(time)) continue;
+    moveCollider(c, placeOf(c, time), change);
+  }
+}
+
+Controls::Place Controls::placeOf(std::uint32_t c, double time) const {
+  const Collider& written = environment_.colliders[c];
+  Place place{{written, Vec3::Zero(), Vec3::Zero(), written.activeAt(time)}};
+  for (const Track& track : tracks_) {
+    if (drives(track, TrackTarget::colliderPosition, c)) {
+      place.at.shape.position = track.valueAt(time);
+      place.at.velocity = track.slopeAt(time);
+      place.glides = track.interpolation != Interpolation::step;
+    }
+    if (drives(track, TrackTarget::colliderRotation, c)) {
       const Vec3 rotation = track.valueAt(time);
       const double angle = rotation.norm();
       const Vec3 axis = angle > 0.0 ? Vec3(rotation / angle) : Vec3(Vec3::UnitZ());
-      const Eigen::Quaterniond before = collider.shape.rotation;
-      collider.shape.rotation =
-          Eigen::AngleAxisd(angle, axis) * environment_.colliders[track.object].rotation;
+      place.at.shape.rotation = Eigen::AngleAxisd(angle, axis) * written.rotation;
       // Exact where the axis stays the same between keys, which is what keys of a turn are.
-      collider.angularVelocity = track.slopeAt(time);
-      if (before.coeffs() != collider.shape.rotation.coeffs())
-        travel = before.angularDistance(collider.shape.rotation) * reachOf(collider.shape);
+      place.at.angularVelocity = track.slopeAt(time);
+      place.turns = track.interpolation != Interpolation::step;
     }
-    if (travel > 0.0) moved_[track.object] = 1;
-    leapt |= travel > 0.0 && track.interpolation == Interpolation::step;
-    colliderTravel_ = std::max(colliderTravel_, travel);
   }
-  return leapt;
+  return place;
 }
 
-double Controls::constantUntil(double time) const {
+void Controls::moveCollider(std::uint32_t c, const Place& place, Change& change) {
+  MovingCollider& now = colliders_[c];
+  const MovingCollider before = std::exchange(now, place.at);
+  if (before.active != now.active) {
+    change.colliders = true;
+    moved_[c] = now.active ? 1 : 0;
+    return;
+  }
+  const double shift = (now.shape.position - before.shape.position).norm();
+  const bool turned = before.shape.rotation.coeffs() != now.shape.rotation.coeffs();
+  const double turn =
+      turned ? before.shape.rotation.angularDistance(now.shape.rotation) * reachOf(now.shape) : 0.0;
+  const bool another = !sameKind(before.shape, now.shape);
+  change.leap |= another || (shift > 0.0 && !place.glides) || (turn > 0.0 && !place.turns);
+  change.colliders |= another;
+  moved_[c] = shift > 0.0 || turn > 0.0 ? 1 : 0;
+  change.motion |=
+      moved_[c] != 0 || now.velocity != before.velocity || now.angularVelocity != before.angularVelocity;
+  colliderTravel_ = std::max(colliderTravel_, shift + turn);
+}
+
+bool Controls::anyMoved() const {
+  return std::ranges::find(moved_, 1) != moved_.end();
+}
+
+double Controls::constantFrom(double time) const {
   double until = std::numeric_limits<double>::infinity();
-  for (const Track& track : tracks_) until = std::min(until, track.constantUntil(time));
+  for (const Track& track : tracks_) {
+    if (!drivesCollider(track) || colliders_[track.object].active)
+      until = std::min(until, track.constantUntil(time));
+  }
+  for (const Collider& collider : environment_.colliders) {
+    for (const double change : {collider.activeFrom, collider.activeUntil}) {
+      if (time < change) until = std::min(until, change);
+    }
+  }
   return until;
 }
 

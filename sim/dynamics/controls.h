@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "sim/contact/contacts.h"
@@ -17,10 +18,18 @@ class Controls {
   struct Change {
     bool gravity = false;
     bool stiffness = false;  ///< stiffness or damping of some material
-    bool leap = false;       ///< a collider is elsewhere without having moved there
+    bool leap = false;       ///< a collider is elsewhere, or another one, without having moved there
+    bool colliders = false;  ///< other colliders act
+    bool motion = false;     ///< a collider moved, or goes on at another velocity
+
+    bool any() const { return gravity || stiffness || leap || colliders || motion; }
   };
   Change moveTo(double time);
-  bool hasTracks() const { return !tracks_.empty(); }
+  /// Other plans, from the next moveTo() on: until then all stays as it is. The colliders are those there
+  /// were, in their order, and perhaps more.
+  void replan(Environment environment, std::vector<Track> tracks);
+  /// Nothing changes between the last moveTo() and then, s. Minus infinity where what is planned is new.
+  double constantUntil() const { return constantUntil_; }
 
   const Vec3& gravity() const { return gravity_; }
   const std::vector<MovingCollider>& colliders() const { return colliders_; }
@@ -29,18 +38,28 @@ class Controls {
   const std::vector<MaterialNow>& materials() const { return materials_; }
   /// Rest lengths flow by a share of the excess strain that depends on the step.
   void setFlow(const Network& network, double step);
-  /// How far the last moveTo() moved any point of a collider at most, cm.
+  /// How far the last moveTo() moved any point of a collider that acts at most, cm.
   double colliderTravel() const { return colliderTravel_; }
-  /// Whether the last moveTo() moved this collider.
+  /// Whether the last moveTo() moved this collider, or made it act.
   bool moved(std::size_t collider) const { return moved_[collider] != 0; }
-  /// Nothing changes from `time` until then, s.
-  double constantUntil(double time) const;
+  bool anyMoved() const;
   double largestStiffnessScale() const;
   double largestDampingScale() const;
 
  private:
-  /// True when one leapt, by a track of steps.
-  bool moveColliders(double time);
+  /// Where a collider is to be.
+  struct Place {
+    MovingCollider at;
+    bool glides = false;  ///< a track moves it there; else it leaps
+    bool turns = false;   ///< likewise for its rotation
+  };
+
+  Vec3 gravityAt(double time) const;
+  std::vector<MaterialNow> materialsAt(double time) const;
+  void moveColliders(double time, Change& change);
+  Place placeOf(std::uint32_t collider, double time) const;
+  void moveCollider(std::uint32_t collider, const Place& place, Change& change);
+  double constantFrom(double time) const;
 
   Environment environment_;
   std::vector<Track> tracks_;
@@ -49,6 +68,7 @@ class Controls {
   std::vector<MaterialNow> materials_;
   std::vector<std::uint8_t> moved_;  ///< by collider
   double colliderTravel_ = 0.0;
+  double constantUntil_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace sim

@@ -255,7 +255,7 @@ void FragmentStates::wakeEverything(double time) {
 }
 
 void FragmentStates::noteColliders(double time) {
-  if (world_.controls.colliderTravel() <= 0.0 || !activity_.any(FragmentState::asleep)) return;
+  if (!world_.controls.anyMoved() || !activity_.any(FragmentState::asleep)) return;
   time_ = time;
   world_.contacts.forEachNearCollider([&](NodeIndex node, std::uint32_t collider) {
     const FragmentId fragment = world_.components.of(node);

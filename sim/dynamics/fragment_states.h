@@ -53,7 +53,7 @@ class FragmentStates {
   void review(double time);
   /// Called whenever the contact rows are new.
   void noteNewRows(double time);
-  /// Colliders have moved.
+  /// Colliders have moved, or begun to act.
   void noteColliders(double time);
   /// Forces are about to change everywhere.
   void wakeEverything(double time);

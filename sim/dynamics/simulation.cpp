@@ -54,6 +54,16 @@ std::optional<Problem> checkTolerance(const Settings& settings) {
   return std::nullopt;
 }
 
+std::optional<Problem> checkTracks(const Network& network, const Environment& environment,
+                                   const std::vector<Track>& tracks) {
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    if (auto problem = checkTrack(tracks[t], "tracks[" + std::to_string(t) + "]", network.materials.size(),
+                                  environment.colliders.size()))
+      return problem;
+  }
+  return std::nullopt;
+}
+
 std::optional<Problem> checkSettings(const Network& network, const Environment& environment,
                                      const Settings& settings, const std::vector<Track>& tracks) {
   if (network.nodeCount() == 0) return Problem{"", "there is nothing to simulate", "add a part to the scene"};
@@ -67,10 +77,22 @@ std::optional<Problem> checkSettings(const Network& network, const Environment& 
   if (!(settings.safety > 0.0 && settings.safety <= 0.9)) {
     return Problem{"solver.safety", "the safety factor is not between 0 and 0.9", "0.5 is the default"};
   }
-  for (std::size_t t = 0; t < tracks.size(); ++t) {
-    if (auto problem = checkTrack(tracks[t], "tracks[" + std::to_string(t) + "]", network.materials.size(),
-                                  environment.colliders.size()))
-      return problem;
+  return checkTracks(network, environment, tracks);
+}
+
+std::optional<Problem> checkReplan(const std::vector<MovingCollider>& before,
+                                   const std::vector<Collider>& colliders) {
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    const std::string place = "environment.colliders[" + std::to_string(c) + "]";
+    const std::string& name = before[c].shape.name;
+    if (c >= colliders.size()) {
+      return Problem{place, "the collider '" + name + "' is gone from a run that has begun",
+                     "let its time to act end instead"};
+    }
+    if (colliders[c].shape != before[c].shape.shape) {
+      return Problem{place, "the collider '" + name + "' has another shape in a run that has begun",
+                     "add another one behind the last"};
+    }
   }
   return std::nullopt;
 }
@@ -98,6 +120,13 @@ Status Simulation::advanceTo(double until) {
 }
 Status Simulation::stepOnce() {
   return state_->stepper.stepOnce();
+}
+Status Simulation::replan(Environment environment, std::vector<Track> tracks) {
+  if (auto problem = checkReplan(state_->stepper.controls().colliders(), environment.colliders))
+    return *problem;
+  if (auto problem = checkTracks(network(), environment, tracks)) return *problem;
+  state_->stepper.replan(std::move(environment), std::move(tracks));
+  return Done{};
 }
 double Simulation::time() const {
   return state_->stepper.time();

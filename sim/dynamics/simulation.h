@@ -51,6 +51,12 @@ class Simulation {
   /// Exactly one step.
   Status stepOnce();
 
+  /// From the next step on it is as if these had been given to create(), provided they say the same of all
+  /// times up to now: what they say of the past is not looked at, so that a run in which they were given
+  /// from the start is the same, to the bit. Colliders may be added behind the others. A Problem, and nothing
+  /// changed, when a track drives nothing or a collider is gone or of another shape.
+  Status replan(Environment environment, std::vector<Track> tracks);
+
   double time() const;
   double step() const;  ///< s: the step being used now
   std::uint64_t stepCount() const;

@@ -92,12 +92,12 @@ Contacts::Moment Stepper::moment() const {
 /// Tracks change the world at fixed positions; what that does to the energy is work from outside. The half
 /// kick that ends at this moment belongs to the world as it was.
 void Stepper::applyControls() {
-  if (!controls_.hasTracks()) return;
+  controlsTime_ = time();
+  if (controlsTime_ < controls_.constantUntil()) return;
   const Vec3 gravityBefore = controls_.gravity();
   Controls ahead = controls_;
-  controlsTime_ = time();
   const Controls::Change change = ahead.moveTo(controlsTime_);
-  const bool energyChanges = change.stiffness || change.leap;
+  const bool energyChanges = change.stiffness || change.leap || (change.colliders && switchingPushes(ahead));
   if (energyChanges) {
     fragments_.wakeEverything(time());
     fragments_.meltEverything(time());
@@ -106,10 +106,12 @@ void Stepper::applyControls() {
   }
   const double before = energyChanges ? potentialEnergy() : 0.0;
   controls_ = std::move(ahead);
+  if (!change.any()) return;
   startKnown_ = false;
   contacts_.moveColliders(controls_.colliderTravel());
+  if (change.colliders) contacts_.changeColliders();
+  if (energyChanges || change.colliders) refreshContacts();
   if (energyChanges) {
-    refreshContacts();
     ledger_.addOutsideWork(potentialEnergy() - before);
     chooseStep();
   }
@@ -120,6 +122,21 @@ void Stepper::applyControls() {
     shiftKick(gravityBefore);
   }
   fragments_.noteColliders(time());
+}
+
+/// Some node is inside a collider that begins or ceases to act now.
+bool Stepper::switchingPushes(const Controls& ahead) {
+  fragments_.placeBodies();
+  for (std::size_t c = 0; c < controls_.colliders().size(); ++c) {
+    const MovingCollider& before = controls_.colliders()[c];
+    const MovingCollider& after = ahead.colliders()[c];
+    if (before.active == after.active) continue;
+    const Collider& collider = (after.active ? after : before).shape;
+    for (NodeIndex node = 0; node < network_.nodeCount(); ++node) {
+      if (intrusion(collider, now_.position.get(node)).depth > 0.0) return true;
+    }
+  }
+  return false;
 }
 
 void Stepper::refreshContacts() {
@@ -333,7 +350,7 @@ Status Stepper::stepInArena() {
 /// step that stepping would have ended on.
 void Stepper::sleepUntil(double until) {
   if (!fragments_.allAsleep() || contacts_.looksAfter(0.0)) return;
-  const double end = std::min(until, controls_.constantUntil(time()));
+  const double end = std::min(until, controls_.constantUntil());
   const double steps = std::floor((end - time()) / step_) - 2.0;
   if (!(steps >= 1.0)) return;
   // The last few steps are taken one by one, so that rounding cannot take one too many.

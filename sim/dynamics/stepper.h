@@ -40,6 +40,11 @@ class Stepper {
 
   Status advanceTo(double until);
   Status stepOnce();
+  /// See Simulation::replan(); the arguments have been checked.
+  void replan(Environment environment, std::vector<Track> tracks) {
+    controls_.replan(std::move(environment), std::move(tracks));
+  }
+  const Controls& controls() const { return controls_; }
 
   double time() const { return segmentStart_ + static_cast<double>(segmentSteps_) * step_; }
   double step() const { return step_; }
@@ -86,6 +91,7 @@ class Stepper {
   Status checkSpeeds(double& fastest) const;
 
   void applyControls();
+  bool switchingPushes(const Controls& ahead);
   void refreshContacts();
   void finishKick();
   void shiftKick(const Vec3& gravityBefore);

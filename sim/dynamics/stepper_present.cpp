@@ -115,6 +115,8 @@ void Stepper::shiftKick(const Vec3& gravityBefore) {
     if (inverseMasses_[node] > 0.0) now_.velocity.add(node, shift);
   }
   if (reference_) reference_->forgetDisplacements();
+  fragments_.shiftVelocities(shift);
+  fragments_.placeTouched();
 }
 
 }  // namespace sim

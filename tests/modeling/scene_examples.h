@@ -59,7 +59,8 @@ inline const std::string kFullScene = R"({
     "colliders": [
       {"name": "floor", "kind": "floor", "position": [0, 0, -1], "friction": 0.6},
       {"name": "table", "kind": "box", "halfSize": [40, 30, 2], "rotation": [0, 5, 0], "stiffness": 1e7},
-      {"name": "ball", "kind": "sphere", "radius": 3, "visible": false, "dampingRatio": 0.1},
+      {"name": "ball", "kind": "sphere", "radius": 3, "visible": false, "dampingRatio": 0.1,
+       "active": [0.1, 0.5]},
       {"name": "pin", "kind": "cylinder", "radius": 1, "halfHeight": 8}
     ]
   },

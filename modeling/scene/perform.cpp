@@ -1,0 +1,99 @@
+#include "modeling/scene/perform.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace modeling {
+namespace {
+
+/// Of a step: no method shortens one to so little.
+constexpr double kMoment = 0x1p-40;
+
+bool isGravity(const TargetName& target) {
+  return target.target == sim::TrackTarget::gravity;
+}
+
+/// The track that a key of this target belongs into; null where there is none. A track of gravity only if it
+/// is the last, which is the one that counts.
+SceneTrack* performedTrack(Scene& scene, const TargetName& target) {
+  for (auto track = scene.tracks.rbegin(); track != scene.tracks.rend(); ++track) {
+    if (track->target != target) continue;
+    if (track->interpolation == sim::Interpolation::step) return &*track;
+    if (isGravity(target)) return nullptr;
+  }
+  return nullptr;
+}
+
+bool hasTrackOf(const Scene& scene, const TargetName& target) {
+  return std::ranges::find(scene.tracks, target, &SceneTrack::target) != scene.tracks.end();
+}
+
+/// A track that changes nothing yet.
+SceneTrack newTrack(const Scene& scene, const TargetName& target) {
+  SceneTrack track;
+  track.target = target;
+  track.interpolation = sim::Interpolation::step;
+  if (!isGravity(target)) {
+    track.keys.push_back({0.0, 1.0});
+  } else if (!hasTrackOf(scene, target)) {
+    track.keys.push_back({0.0, scene.environment.gravity});
+  }
+  return track;
+}
+
+/// Takes the keys from `time` on away. What the first of them said of the time before it stays so.
+void cutTrack(const Scene& scene, SceneTrack& track, double time) {
+  const bool begun = track.keys.front().time < time;
+  const auto firstOfTarget = std::ranges::find(scene.tracks, track.target, &SceneTrack::target);
+  const bool decidesBefore = !isGravity(track.target) || &*firstOfTarget == &track;
+  const SceneTrackKey first = track.keys.front();
+  std::erase_if(track.keys, [&](const SceneTrackKey& key) { return key.time >= time; });
+  if (!begun && decidesBefore) track.keys.push_back({0.0, first.value});
+}
+
+}  // namespace
+
+double performTime(const sim::Simulation& simulation) {
+  const double now = simulation.time();
+  return std::max(std::nextafter(now, std::numeric_limits<double>::infinity()),
+                  now + kMoment * simulation.step());
+}
+
+void performKey(Scene& scene, const TargetName& target, double time, std::variant<double, Vec3> value) {
+  assert(std::holds_alternative<Vec3>(value) == target.isVector());
+  assert(isGravity(target) || !target.isVector());
+  assert(time > 0.0);
+  SceneTrack* track = performedTrack(scene, target);
+  if (track != nullptr) {
+    cutTrack(scene, *track, time);
+  } else {
+    SceneTrack made = newTrack(scene, target);
+    track = &scene.tracks.emplace_back(std::move(made));
+  }
+  track->keys.push_back({time, value});
+}
+
+std::string addPerformer(Scene& scene, SceneCollider prototype, std::vector<SceneTrackKey> path) {
+  assert(path.size() >= 2);
+  const auto& colliders = scene.environment.colliders;
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::find(colliders, name, &SceneCollider::name) != colliders.end();
+  };
+  const std::string kind = prototype.name + ' ';
+  int number = 1;
+  while (taken(kind + std::to_string(number))) ++number;
+  prototype.name = kind + std::to_string(number);
+  prototype.visible = false;
+  prototype.active = {path.front().time, path.back().time};
+  SceneTrack track;
+  track.target = {sim::TrackTarget::colliderPosition, prototype.name};
+  track.interpolation = sim::Interpolation::linear;
+  track.keys = std::move(path);
+  scene.tracks.push_back(std::move(track));
+  scene.environment.colliders.push_back(std::move(prototype));
+  return scene.environment.colliders.back().name;
+}
+
+}  // namespace modeling
