@@ -97,6 +97,14 @@ std::optional<Problem> checkReplan(const std::vector<MovingCollider>& before,
   return std::nullopt;
 }
 
+bool sameNetwork(const Network& left, const Network& right) {
+  return left.positions == right.positions && left.masses == right.masses && left.radii == right.radii &&
+         left.firstBond == right.firstBond && left.bondEnds == right.bondEnds &&
+         left.bondClasses == right.bondClasses && left.classes == right.classes &&
+         left.thresholds == right.thresholds && left.cells == right.cells &&
+         left.materials == right.materials;
+}
+
 }  // namespace
 
 Simulation::Simulation(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -165,6 +173,12 @@ std::vector<std::byte> Simulation::checkpoint() const {
 }
 Status Simulation::restore(std::span<const std::byte> checkpoint) {
   return state_->stepper.restore(checkpoint);
+}
+Status Simulation::takeOver(Simulation& other) {
+  if (!sameNetwork(network(), other.network()))
+    return Problem{"", "the two runs are of different networks", "run the changed one from the start"};
+  state_->stepper.takeOver(other.state_->stepper);
+  return Done{};
 }
 
 Snapshot Simulation::snapshot() const {

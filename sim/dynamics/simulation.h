@@ -79,6 +79,11 @@ class Simulation {
   /// created from equal arguments continues bit-identically.
   std::vector<std::byte> checkpoint() const;
   Status restore(std::span<const std::byte> checkpoint);
+  /// Before the first step: goes on from where another simulation of an equal network is, by this one's own
+  /// settings, environment and tracks. What moves, is bent and broken, the clock and the account of energy
+  /// are the other's. What the other conditions change in energy at once is work from outside. The other one
+  /// goes on no more. A Problem, and nothing changed, when the networks differ.
+  Status takeOver(Simulation& other);
 
  private:
   struct State;

@@ -71,6 +71,8 @@ class Stepper {
 
   std::vector<std::byte> checkpoint() const;
   Status restore(std::span<const std::byte> checkpoint);
+  /// See Simulation::takeOver(); the networks are equal.
+  void takeOver(Stepper& other);
   std::size_t memoryBytes() const;
 
  private:
@@ -90,6 +92,9 @@ class Stepper {
                                   double& length);
   Status checkSpeeds(double& fastest) const;
 
+  void adoptState(const Stepper& other);
+  void bringToPresent();
+  void layOut(std::span<const std::uint8_t> brokenBonds, std::span<const double> restLengths);
   void applyControls();
   bool switchingPushes(const Controls& ahead);
   void refreshContacts();

@@ -21,6 +21,8 @@ enum class ChunkKind : std::uint32_t {
   frame = 5,
   checkpoint = 6,  ///< of the frame before it
   outcome = 7,     ///< how the run ended
+  scene = 8,       ///< the scene, added to while it ran: says the same as before of what was recorded
+  otherScene = 9,  ///< the scene that what follows comes from
 };
 
 struct ChunkHeader {
