@@ -142,6 +142,9 @@ double Simulation::time() const {
 double Simulation::step() const {
   return state_->stepper.step();
 }
+StepLimit Simulation::stepLimit() const {
+  return state_->stepper.stepLimit();
+}
 std::uint64_t Simulation::stepCount() const {
   return work().steps;
 }

@@ -13,6 +13,15 @@
 
 namespace sim {
 
+/// What makes the step no longer than it is.
+enum class StepLimit {
+  none,       ///< free flight: frames set the pace
+  fixed,      ///< Settings::step
+  lattice,    ///< bonds
+  contact,    ///< without contacts it could be a tenth longer or more
+  tolerance,  ///< Settings::tolerance
+};
+
 /// What was done and what was spared, counted since the start.
 struct Work {
   std::uint64_t steps = 0;
@@ -59,6 +68,7 @@ class Simulation {
 
   double time() const;
   double step() const;  ///< s: the step being used now
+  StepLimit stepLimit() const;
   std::uint64_t stepCount() const;
   std::uint64_t brokenBondCount() const;
 

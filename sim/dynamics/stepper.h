@@ -48,6 +48,7 @@ class Stepper {
 
   double time() const { return segmentStart_ + static_cast<double>(segmentSteps_) * step_; }
   double step() const { return step_; }
+  StepLimit stepLimit() const;
   const Network& network() const { return network_; }
   const Work& work() const { return work_; }
   const Breakage& breakage() const { return breakage_; }
@@ -107,6 +108,7 @@ class Stepper {
   double elasticEnergyNow() const;
   double carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const;
   Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;
+  double latticeStiffness() const;
   void chooseStep();
   bool latticeMoves() const;
   // The step that keeps to a tolerance (stepper_tolerance.cpp).
