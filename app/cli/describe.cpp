@@ -7,11 +7,10 @@
 
 #include <Eigen/Geometry>
 
-#include "app/cli/recorder.h"
 #include "modeling/exchange/lammps_data.h"
+#include "modeling/preflight/preflight.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
-#include "sim/dynamics/simulation.h"
 #include "sim/take/take.h"
 
 namespace app {
@@ -20,9 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using modeling::BuiltScene;
 
-/// Enough to measure a step by, and short enough not to be waited for.
-constexpr double kMeasuredSeconds = 0.3;
-constexpr int kMostMeasuredSteps = 2000;
+/// As many of the worst cells are told of.
+constexpr std::size_t kMostCells = 5;
 
 Json vectorJson(const sim::Vec3& vector) {
   return {vector.x(), vector.y(), vector.z()};
@@ -76,48 +74,46 @@ Json glueJson(const std::vector<modeling::GlueReport>& reports) {
   return list;
 }
 
-/// Bonds stretched past their threshold before anything has moved.
-std::size_t bondsBrokenAtRest(const sim::Network& network) {
-  std::size_t count = 0;
-  for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
-    for (sim::BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
-      const double length = (network.positions[network.bondEnds[b]] - network.positions[a]).norm();
-      if (length > (1.0 + network.thresholds[b]) * network.bond(b).restLength) ++count;
-    }
+std::string_view nameOf(sim::StepLimit limit) {
+  switch (limit) {
+    case sim::StepLimit::none:
+      return "nothing";
+    case sim::StepLimit::fixed:
+      return "the scene";
+    case sim::StepLimit::lattice:
+      return "the lattice";
+    case sim::StepLimit::contact:
+      return "contact";
+    case sim::StepLimit::tolerance:
+      return "the tolerance";
   }
-  return count;
+  return "";
 }
 
-double secondsPerStep(sim::Simulation& simulation) {
-  const Stopwatch stopwatch;
-  int steps = 0;
-  while (stopwatch.wallSeconds() < kMeasuredSeconds && steps < kMostMeasuredSteps) {
-    if (!simulation.stepOnce()) break;
-    ++steps;
+Json worstCellsJson(const std::vector<modeling::PoorCell>& cells) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(cells.size(), kMostCells); ++i) {
+    list.push_back({{"part", cells[i].part},
+                    {"cell", cells[i].cell},
+                    {"scaled_jacobian", cells[i].scaledJacobian},
+                    {"aspect", cells[i].aspect}});
   }
-  return stopwatch.wallSeconds() / std::max(steps, 1);
+  return list;
 }
 
-sim::Result<Json> preflight(const modeling::Scene& scene, BuiltScene built) {
-  Json info;
-  info["bonds_broken_at_rest"] = bondsBrokenAtRest(built.network);
-  modeling::Conditions& conditions = built.conditions;
-  conditions.settings.step.reset();
-  auto simulation = sim::Simulation::create(std::move(built.network), std::move(conditions.environment),
-                                            std::move(conditions.tracks), conditions.settings);
-  if (!simulation) return simulation.problem();
-  const double stable = (*simulation)->step();
-  const double step = scene.solver.step.seconds.value_or(stable);
-  const double steps = std::ceil(scene.output.duration / step);
-  const sim::Snapshot start = (*simulation)->snapshot();
-  info["components"] = start.fragments.size();
-  info["stable_step_s"] = stable;
-  info["step_s"] = step;
-  info["steps"] = steps;
-  info["memory_bytes"] = (*simulation)->memoryBytes();
-  info["expected_wall_s"] = steps * secondsPerStep(**simulation);
-  info["frames"] = std::floor(std::min(scene.output.duration * scene.output.fps, steps)) + 1.0;
-  return info;
+Json preflightJson(const modeling::Preflight& flight) {
+  return {{"bonds_broken_at_rest", flight.brokenAtRestCount},
+          {"components", flight.components},
+          {"stable_step_s", flight.stableStep},
+          {"stable_step_limited_by", nameOf(flight.stableStepLimit)},
+          {"step_s", flight.step},
+          {"steps", flight.steps},
+          {"memory_bytes", flight.memoryBytes},
+          {"expected_wall_s", flight.wallSeconds},
+          {"expected_wall_s_per_s", flight.wallSecondsPerSecond},
+          {"expected_take_bytes", flight.takeBytes},
+          {"frames", flight.frames},
+          {"worst_cells", worstCellsJson(flight.worstCells)}};
 }
 
 std::string beginningOf(const std::filesystem::path& file) {
@@ -144,9 +140,9 @@ sim::Result<Json> describeScene(const std::filesystem::path& file) {
   info["parts"] = partsJson(built->parts);
   info["glue"] = glueJson(built->glue);
   info["warnings"] = built->warnings;
-  sim::Result<Json> flight = preflight(scene->scene, std::move(built).value());
+  const sim::Result<modeling::Preflight> flight = modeling::preflight(scene->scene, *built);
   if (!flight) return scene->located(flight.problem());
-  info["preflight"] = std::move(flight).value();
+  info["preflight"] = preflightJson(*flight);
   return info;
 }
 

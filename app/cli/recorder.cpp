@@ -9,10 +9,6 @@
 namespace app {
 namespace {
 
-/// A resumed run repeats at most this many frames; a checkpoint is about as large as a frame in double
-/// precision.
-constexpr std::uint64_t kFramesPerCheckpoint = 12;
-
 double wallClock() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double>(now).count();
@@ -37,7 +33,7 @@ Recorder::Recorder(sim::Simulation& simulation, sim::TakeWriter* take, double fr
 
 sim::Status Recorder::begin() {
   framesSinceCheckpoint_ =
-      kFramesPerCheckpoint;  // the first frame has one, so that every take can be resumed
+      sim::kFramesPerCheckpoint;  // the first frame has one, so that every take can be resumed
   return record(false);
 }
 
@@ -72,7 +68,7 @@ sim::Status Recorder::record(bool last) {
   count(events);
   if (take_ == nullptr) return sim::Done{};
   if (const sim::Status status = take_->appendFrame(simulation_.snapshot(), events); !status) return status;
-  if (++framesSinceCheckpoint_ < kFramesPerCheckpoint && !last) return sim::Done{};
+  if (++framesSinceCheckpoint_ < sim::kFramesPerCheckpoint && !last) return sim::Done{};
   framesSinceCheckpoint_ = 0;
   return take_->appendCheckpoint(simulation_.checkpoint());
 }

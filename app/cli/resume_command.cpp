@@ -1,11 +1,15 @@
 #include "app/cli/resume_command.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/frames.h"
+#include "app/cli/progress.h"
 #include "app/cli/running.h"
+#include "modeling/exchange/continuation.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "sim/take/take.h"
@@ -15,6 +19,10 @@ namespace {
 
 struct ResumeOptions {
   std::string take;
+  std::optional<std::size_t> from;  ///< frame
+  std::optional<double> time;       ///< s
+  std::string branch;               ///< file for a take beside the old one
+  std::vector<std::string> settings;
   std::string report;
   std::optional<double> until;
   int threads = 0;
@@ -30,6 +38,16 @@ struct Resumable {
   std::vector<sim::BreakEvent> events;  ///< up to that frame
 };
 
+sim::Result<std::vector<sim::BreakEvent>> eventsUpTo(const sim::TakeReader& take, std::size_t last) {
+  std::vector<sim::BreakEvent> all;
+  for (std::size_t frame = 0; frame <= last; ++frame) {
+    const sim::Result<std::vector<sim::BreakEvent>> events = take.eventsOf(frame);
+    if (!events) return events;
+    all.insert(all.end(), events->begin(), events->end());
+  }
+  return all;
+}
+
 sim::Status readCheckpoint(const sim::TakeReader& take, Resumable& from) {
   const std::vector<std::size_t> frames = take.checkpointFrames();
   if (frames.empty()) return sim::Done{};
@@ -37,11 +55,12 @@ sim::Status readCheckpoint(const sim::TakeReader& take, Resumable& from) {
   sim::Result<std::vector<std::byte>> checkpoint = take.checkpoint(*from.frame);
   if (!checkpoint) return checkpoint.problem();
   from.checkpoint = std::move(checkpoint).value();
-  for (std::size_t frame = 0; frame <= *from.frame; ++frame) {
-    const sim::Result<std::vector<sim::BreakEvent>> events = take.eventsOf(frame);
-    if (!events) return events.problem();
-    from.events.insert(from.events.end(), events->begin(), events->end());
-  }
+  sim::Result<std::string> scene = take.sceneOf(*from.frame);
+  if (!scene) return scene.problem();
+  from.header.scene = std::move(scene).value();
+  sim::Result<std::vector<sim::BreakEvent>> events = eventsUpTo(take, *from.frame);
+  if (!events) return events.problem();
+  from.events = std::move(events).value();
   return sim::Done{};
 }
 
@@ -51,11 +70,75 @@ sim::Result<Resumable> readTake(const std::string& file) {
   Resumable from;
   from.header = (*take)->header();
   from.network = (*take)->network();
+  if (const sim::Status status = readCheckpoint(**take, from); !status) return status.problem();
   sim::Result<modeling::SceneFile> scene = modeling::parseScene(from.header.scene, file + " (its scene)");
   if (!scene) return scene.problem();
   from.scene = std::move(scene->scene);
-  if (const sim::Status status = readCheckpoint(**take, from); !status) return status.problem();
   return from;
+}
+
+sim::Result<std::size_t> frameOf(const ResumeOptions& options, const sim::TakeReader& take) {
+  if (const sim::Status some = needFrames(take, options.take); !some) return some.problem();
+  const std::size_t frame = options.from ? *options.from : frameNearest(*options.time, take);
+  if (frame < take.frameCount()) return frame;
+  return sim::Problem{"--from", "the take does not have a frame " + std::to_string(frame),
+                      "the last one is " + std::to_string(take.frameCount() - 1)};
+}
+
+sim::Status checkBranch(const ResumeOptions& options) {
+  const sim::Problem missing{"--take", "a run that goes on from a frame needs a take of its own",
+                             "name a file to record to"};
+  std::error_code error;
+  if (options.branch.empty()) return missing;
+  if (!std::filesystem::equivalent(options.branch, options.take, error)) return sim::Done{};
+  return sim::Problem{"--take", "this is the take that is gone on from", "name another file"};
+}
+
+/// The take's scene with the settings laid over it; nothing without any.
+sim::Result<std::optional<modeling::Scene>> changedScene(const ResumeOptions& options,
+                                                         const sim::TakeReader& take, std::size_t frame) {
+  if (options.settings.empty()) return std::optional<modeling::Scene>();
+  const sim::Result<std::string> text = take.sceneOf(frame);
+  if (!text) return text.problem();
+  const std::string source = options.take + " (its scene)";
+  const auto before = modeling::parseScene(*text, source);
+  if (!before) return before.problem();
+  const auto after = modeling::parseScene(*text, source, options.settings);
+  if (!after) return after.problem();
+  if (const sim::Status possible = modeling::checkChange(before->scene, after->scene); !possible)
+    return sim::Problem{"--set " + possible.problem().place, possible.problem().what,
+                        possible.problem().remedy};
+  return std::optional(after->scene);
+}
+
+ExitStatus branch(const ResumeOptions& options) {
+  const Stopwatch stopwatch;
+  if (const sim::Status status = checkReportFile(options.report); !status) return complain(status.problem());
+  if (const sim::Status status = checkBranch(options); !status) return complain(status.problem());
+  const auto take = sim::TakeReader::open(options.take);
+  if (!take) return complain(take.problem());
+  const sim::Result<std::size_t> frame = frameOf(options, **take);
+  if (!frame) return complain(frame.problem());
+  const sim::Result<std::optional<modeling::Scene>> changed = changedScene(options, **take, *frame);
+  if (!changed) return complain(changed.problem());
+  const auto events = eventsUpTo(**take, *frame);
+  if (!events) return complain(events.problem());
+  sim::Result<modeling::Continuation> from = [&] {
+    Progress progress("going back to frame " + std::to_string(*frame));
+    return modeling::continueFrom(**take, *frame, *changed ? &**changed : nullptr, options.threads,
+                                  [&](double share) {
+                                    progress.show(share);
+                                    return true;
+                                  });
+  }();
+  if (!from) return complain(from.problem());
+  const auto writer = modeling::branchTake(**take, *frame, *from, options.branch);
+  if (!writer) return complain(writer.problem());
+  Recorder recorder(*from->simulation, writer->get(), (*take)->header().framesPerSecond);
+  recorder.takeOver(*events);
+  return runAndReport(*from->simulation, recorder, stopwatch,
+                      {options.until.value_or(from->scene.output.duration), from->scene.solver.method,
+                       options.threads, options.report});
 }
 
 ExitStatus resume(const ResumeOptions& options) {
@@ -94,12 +177,34 @@ ExitStatus resume(const ResumeOptions& options) {
 void addResumeCommand(CLI::App& program, ExitStatus& status) {
   CLI::App* command = program.add_subcommand("resume", "Go on with a run that was killed, or past its end");
   const auto options = std::make_shared<ResumeOptions>();
-  command->add_option("take", options->take, "What the run recorded; it is continued in place")->required();
+  command
+      ->add_option("take", options->take,
+                   "What the run recorded; without --from or --time it is continued in place")
+      ->required();
+  CLI::Option* from = command->add_option("--from", options->from,
+                                          "Go on from this frame, counted from 0, in a take beside the old");
+  CLI::Option* time =
+      command->add_option("--time", options->time, "The same, from the frame nearest to these seconds")
+          ->excludes(from);
+  command->add_option("--take", options->branch, "File of the take beside the old");
+  command
+      ->add_option(
+          "--set", options->settings,
+          "PATH=VALUE: go on with a value of the scene changed, e.g. environment.gravity=[0,0,-4905]")
+      ->allow_extra_args(false);
   command->add_option("--until", options->until, "Seconds; left out: what the run was started for")
       ->check(CLI::Range(0.0, 1e9));
   command->add_option("--report", options->report, "File for the report (JSON)");
   command->add_option("--threads", options->threads, "0: all there are")->check(CLI::Range(0, kMostThreads));
-  command->callback([options, &status] { status = resume(*options); });
+  command->callback([options, from, time, &status] {
+    const bool branches = *from || *time;
+    if (!branches && !(options->branch.empty() && options->settings.empty())) {
+      status =
+          complain({"command line", "--take and --set need a frame to go on from", "add --from or --time"});
+    } else {
+      status = branches ? branch(*options) : resume(*options);
+    }
+  });
 }
 
 }  // namespace app

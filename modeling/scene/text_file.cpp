@@ -1,11 +1,7 @@
 #include "modeling/scene/text_file.h"
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <system_error>
-
-#include <xxhash.h>
 
 namespace modeling {
 
@@ -60,14 +56,6 @@ sim::Status checkReplaceable(const std::filesystem::path& file) {
   const bool good = !std::filesystem::is_directory(file, error) && std::ofstream(draftOf(file)).good();
   const sim::Status discarded = discard(file);
   return good ? sim::Status(sim::Done{}) : discarded;
-}
-
-std::string textHash(std::string_view text) {
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  std::array<char, 33> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return digits.data();
 }
 
 }  // namespace modeling

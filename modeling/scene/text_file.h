@@ -6,8 +6,11 @@
 #include <string_view>
 
 #include "sim/base/result.h"
+#include "sim/base/text_hash.h"
 
 namespace modeling {
+
+using sim::textHash;
 
 /// The bytes of a file, when it is a regular one and not above `largest`.
 sim::Result<std::string> readTextFile(const std::filesystem::path& file, std::uintmax_t largest);
@@ -17,8 +20,5 @@ sim::Status replaceTextFile(const std::filesystem::path& file, std::string_view 
 
 /// Whether replaceTextFile() would find a folder it can write to.
 sim::Status checkReplaceable(const std::filesystem::path& file);
-
-/// 32 hexadecimal digits that tell texts apart.
-std::string textHash(std::string_view text);
 
 }  // namespace modeling

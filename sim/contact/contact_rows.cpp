@@ -329,6 +329,26 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   ++rebuilds_;
 }
 
+void Contacts::takeOver(const Contacts& other) {
+  rows_ = other.rows_;
+  entries_ = other.entries_;
+  rowOfNode_ = other.rowOfNode_;
+  broken_ = other.broken_;
+  fresh_ = other.fresh_;
+  rebuilds_ = other.rebuilds_;
+  searches_ = other.searches_;
+  nearColliders_.clear();
+  for (Row& row : rows_) {
+    row.firstCollider = row.lastCollider = 0;
+    for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
+      Entry& entry = entries_[e];
+      if (entry.brokenBond == kNone) entry.rho = std::min(entry.rho, naturalLength(row.node, entry.other));
+    }
+  }
+  noteLengths();
+  stale_ = true;
+}
+
 void Contacts::savePairs(ByteWriter& writer, const std::vector<BrokenPair>& pairs) {
   writer.put<std::uint64_t>(pairs.size());
   for (const BrokenPair& pair : pairs) {

@@ -74,6 +74,9 @@ class Contacts {
   /// Ages the rows by one step in which no node moved further than `travel` (cm).
   void age(const Motion& motion, double travel);
   bool stale() const { return stale_; }
+  /// Remembers the pairs that contacts of the same network remember, under other settings or among other
+  /// colliders. Rows are stale.
+  void takeOver(const Contacts& other);
   void rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
                std::span<const MovingCollider> colliders);
 

@@ -89,6 +89,8 @@ class FragmentStates {
   static bool read(ByteReader& reader, std::size_t nodes, std::size_t fragments, Saved& saved);
   /// After everything else in the World was restored.
   void restore(Saved saved);
+  /// The same, from where another one of the same network is, in which everything deforms.
+  void takeOver(const FragmentStates& other);
   std::size_t memoryBytes() const;
 
   static constexpr std::uint64_t kStepsPerReview = 64;

@@ -168,6 +168,10 @@ void FragmentStates::restore(Saved saved) {
   stillElastic_.reset();
 }
 
+void FragmentStates::takeOver(const FragmentStates& other) {
+  restore({other.activity_.states(), other.records_, other.neighbours_, other.bodies_, other.peakSpeed_});
+}
+
 std::size_t FragmentStates::memoryBytes() const {
   std::size_t bytes = activity_.memoryBytes() + records_.capacity() * sizeof(Record) +
                       neighbours_.capacity() * sizeof(neighbours_[0]);

@@ -118,6 +118,12 @@ double Ledger::gravityWork(const NodeVectors& position, const Vec3& before, cons
   return -(after - before).dot(massMoved(position));
 }
 
+void Ledger::takeOver(const Ledger& other) {
+  const Network* const network = network_;
+  *this = other;
+  network_ = network;
+}
+
 void Ledger::save(ByteWriter& writer) const {
   for (const double value : {flows_.dissipated, flows_.released, flows_.outsideWork, start_, lowest_,
                              lowestKept_, largestRise_, scale_, startActive_}) {

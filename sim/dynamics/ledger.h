@@ -44,6 +44,8 @@ class Ledger {
   /// Energy of position that a change of gravity gives, erg: the work of whatever changed it.
   double gravityWork(const NodeVectors& position, const Vec3& before, const Vec3& after) const;
 
+  /// Goes on with the account of another one of the same network.
+  void takeOver(const Ledger& other);
   void save(ByteWriter& writer) const;
   bool load(ByteReader& reader);
 

@@ -119,6 +119,14 @@ std::optional<Problem> checkReplan(const std::vector<MovingCollider>& before,
   return std::nullopt;
 }
 
+bool sameNetwork(const Network& left, const Network& right) {
+  return left.positions == right.positions && left.masses == right.masses && left.radii == right.radii &&
+         left.firstBond == right.firstBond && left.bondEnds == right.bondEnds &&
+         left.bondClasses == right.bondClasses && left.classes == right.classes &&
+         left.thresholds == right.thresholds && left.cells == right.cells &&
+         left.materials == right.materials;
+}
+
 }  // namespace
 
 Simulation::Simulation(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -152,6 +160,9 @@ double Simulation::time() const {
 double Simulation::step() const {
   return state_->stepper.step();
 }
+StepLimit Simulation::stepLimit() const {
+  return state_->stepper.stepLimit();
+}
 std::uint64_t Simulation::stepCount() const {
   return work().steps;
 }
@@ -183,6 +194,12 @@ std::vector<std::byte> Simulation::checkpoint() const {
 }
 Status Simulation::restore(std::span<const std::byte> checkpoint) {
   return state_->stepper.restore(checkpoint);
+}
+Status Simulation::takeOver(Simulation& other) {
+  if (!sameNetwork(network(), other.network()))
+    return Problem{"", "the two runs are of different networks", "run the changed one from the start"};
+  state_->stepper.takeOver(other.state_->stepper);
+  return Done{};
 }
 
 Snapshot Simulation::snapshot() const {

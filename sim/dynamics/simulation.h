@@ -13,6 +13,15 @@
 
 namespace sim {
 
+/// What makes the step no longer than it is.
+enum class StepLimit {
+  none,       ///< free flight: frames set the pace
+  fixed,      ///< Settings::step
+  lattice,    ///< bonds
+  contact,    ///< without contacts it could be a tenth longer or more
+  tolerance,  ///< Settings::tolerance
+};
+
 /// What was done and what was spared, counted since the start.
 struct Work {
   std::uint64_t steps = 0;
@@ -58,6 +67,7 @@ class Simulation {
 
   double time() const;
   double step() const;  ///< s: the step being used now
+  StepLimit stepLimit() const;
   std::uint64_t stepCount() const;
   std::uint64_t brokenBondCount() const;
 
@@ -78,6 +88,11 @@ class Simulation {
   /// created from equal arguments continues bit-identically.
   std::vector<std::byte> checkpoint() const;
   Status restore(std::span<const std::byte> checkpoint);
+  /// Before the first step: goes on from where another simulation of an equal network is, by this one's own
+  /// settings, environment and tracks. What moves, is bent and broken, the clock and the account of energy
+  /// are the other's. What the other conditions change in energy at once is work from outside. The other one
+  /// goes on no more. A Problem, and nothing changed, when the networks differ.
+  Status takeOver(Simulation& other);
 
  private:
   struct State;

@@ -17,6 +17,8 @@ constexpr double kStepGrowth = 1.1;
 /// Where no bond is evaluated, the step may be twice as long, but no longer: when a piece melts, the strain
 /// it kept acts for half a step of before.
 constexpr double kStillLattice = 0.25;
+/// s. A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
+constexpr double kLongest = 1e-2;
 /// Frames are due when the time is within this share of a step.
 constexpr double kTimeSlack = 1e-6;
 
@@ -167,16 +169,13 @@ void Stepper::chooseStep() {
   contacts_.noteChoice();
   latticeCounts_ = latticeMoves();
   const Contacts::Stiffest stiffest = contacts_.stiffest(moment(), forces_);
-  const double lattice = (latticeCounts_ ? 1.0 : kStillLattice) * controls_.largestStiffnessScale();
-  const Stiffening stiffening{lattice, controls_.largestDampingScale(), stiffest.rateSquared,
+  const Stiffening stiffening{latticeStiffness(), controls_.largestDampingScale(), stiffest.rateSquared,
                               stiffest.damping};
   if (settings_.step) {
     want(partOfFixedStep(stiffening));
     return;
   }
   const double stable = automaticStep(spectrum_, stiffening, settings_.method, settings_.safety);
-  // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
-  constexpr double kLongest = 1e-2;
   const double wanted = std::min({stable, kLongest, latticeCounts_ ? toleratedStep_ : kLongest,
                                   contacts_.longestTravel() / fastestNow()});
   if (wantedStep_ == 0.0 || wanted < wantedStep_ || wanted > kStepGrowth * wantedStep_) want(wanted);
@@ -193,6 +192,20 @@ double Stepper::partOfFixedStep(const Stiffening& stiffening) {
   if (!(longest > 0.0)) return 0.0;
   constexpr double kSafetyOfParts = 0.9;
   return step / std::ceil(step / (kSafetyOfParts * longest));
+}
+
+/// Relative to the network's own.
+double Stepper::latticeStiffness() const {
+  return (latticeCounts_ ? 1.0 : kStillLattice) * controls_.largestStiffnessScale();
+}
+
+StepLimit Stepper::stepLimit() const {
+  if (settings_.step) return StepLimit::fixed;
+  if (latticeCounts_ && step_ >= toleratedStep_) return StepLimit::tolerance;
+  const Stiffening alone{latticeStiffness(), controls_.largestDampingScale(), 0.0, 0.0};
+  const double lattice = automaticStep(spectrum_, alone, settings_.method, settings_.safety);
+  if (kStepGrowth * step_ >= lattice) return StepLimit::lattice;
+  return kStepGrowth * step_ < kLongest ? StepLimit::contact : StepLimit::none;
 }
 
 /// Some bond is evaluated.

@@ -50,6 +50,7 @@ class Stepper {
 
   double time() const { return segmentStart_ + static_cast<double>(segmentSteps_) * step_; }
   double step() const { return step_; }
+  StepLimit stepLimit() const;
   const Network& network() const { return network_; }
   const Work& work() const { return work_; }
   const Breakage& breakage() const { return breakage_; }
@@ -75,6 +76,8 @@ class Stepper {
 
   std::vector<std::byte> checkpoint() const;
   Status restore(std::span<const std::byte> checkpoint);
+  /// See Simulation::takeOver(); the networks are equal.
+  void takeOver(Stepper& other);
   std::size_t memoryBytes() const;
 
  private:
@@ -94,6 +97,9 @@ class Stepper {
                                   double& length);
   Status checkSpeeds(double& fastest) const;
 
+  void adoptState(const Stepper& other);
+  void bringToPresent();
+  void layOut(std::span<const std::uint8_t> brokenBonds, std::span<const double> restLengths);
   void applyControls();
   bool switchingPushes(const Controls& ahead);
   void refreshContacts();
@@ -113,6 +119,7 @@ class Stepper {
   double elasticEnergyNow() const;
   double carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const;
   Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;
+  double latticeStiffness() const;
   void chooseStep();
   double partOfFixedStep(const Stiffening& stiffening);
   bool latticeMoves() const;

@@ -117,6 +117,15 @@ std::vector<std::byte> Stepper::checkpoint() const {
   return std::move(writer).take();
 }
 
+/// Bonds leave the layout in any order: what remains keeps its own.
+void Stepper::layOut(std::span<const std::uint8_t> brokenBonds, std::span<const double> restLengths) {
+  layout_ = BondLayout(network_, {settings_.skip.thresholds, settings_.skip.damping}, settings_.precision);
+  for (BondIndex bond = 0; bond < network_.bondCount(); ++bond) {
+    if (brokenBonds[bond] != 0) layout_.remove(network_, bond);
+  }
+  layout_.setPlasticRestLengths(restLengths);
+}
+
 Status Stepper::restore(std::span<const std::byte> checkpoint) {
   if (!isSealed(checkpoint)) return kDamaged;
   ByteReader reader(checkpoint.first(checkpoint.size() - kSealBytes));
@@ -173,12 +182,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   largestStrain_ = times[6];
   startKnown_ = false;
   segmentSteps_ = segmentSteps;
-  // Bonds leave the layout in any order: what remains keeps its own.
-  layout_ = BondLayout(network_, {settings_.skip.thresholds, settings_.skip.damping}, settings_.precision);
-  for (BondIndex bond = 0; bond < network_.bondCount(); ++bond) {
-    if (brokenBonds[bond] != 0) layout_.remove(network_, bond);
-  }
-  layout_.setPlasticRestLengths(restLengths);
+  layOut(brokenBonds, restLengths);
   breakage_.restore(std::move(brokenBonds), std::move(brokenCells));
   components_.restore(std::move(fragmentOfNode), std::move(fragments), work_.labelings);
   fragments_.restore(std::move(states));

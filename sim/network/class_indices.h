@@ -38,6 +38,8 @@ class ClassIndices {
     }
   }
 
+  bool operator==(const ClassIndices&) const = default;
+
   std::vector<std::uint32_t> inFull() const {
     return wide_.empty() ? std::vector<std::uint32_t>(narrow_.begin(), narrow_.end()) : wide_;
   }

@@ -22,6 +22,8 @@ enum class ChunkKind : std::uint32_t {
   checkpoint = 6,  ///< of the frame before it
   outcome = 7,     ///< how the run ended
   change = 8,      ///< a frame that says only what is other than in a whole frame before it
+  scene = 9,       ///< the scene, added to while it ran: says the same as before of what was recorded
+  otherScene = 10,  ///< the scene that what follows comes from
 };
 
 struct ChunkHeader {

@@ -21,6 +21,7 @@ class FileTakeReader final : public TakeReader {
   const TakeHeader& header() const override { return header_; }
   const Network& network() const override { return network_; }
   std::size_t frameCount() const override { return index_.frames.size(); }
+  Result<std::string> sceneOf(std::size_t frame) const override;
   double frameTime(std::size_t frame) const override;
   Result<SnapshotPointer> frame(std::size_t index) const override;
   Result<std::vector<BreakEvent>> eventsOf(std::size_t frame) const override;
@@ -40,6 +41,9 @@ class FileTakeReader final : public TakeReader {
   FileTakeReader(TakeFile file, TakeIndex index) : file_(std::move(file)), index_(std::move(index)) {}
   Status readBeginning();
   Result<Snapshot> snapshotAt(const TakeIndex::Frame& place) const;
+  std::optional<std::string> textOf(std::size_t chunk) const;
+  /// The newest of these that is intact.
+  std::optional<std::string> newestScene(const TakeIndex::Scenes& scenes) const;
   Problem damaged(const std::string& what, const std::string& remedy) const;
   Problem noSuchFrame(std::size_t frame) const;
   /// What to do where this frame's checkpoint can't be had.
@@ -48,6 +52,7 @@ class FileTakeReader final : public TakeReader {
   TakeFile file_;
   TakeIndex index_;
   TakeHeader header_;
+  std::string firstScene_;  ///< the head's
   Network network_;
   NetworkSize size_;
   std::optional<std::string> outcome_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 namespace sim {
 
@@ -15,6 +16,10 @@ inline constexpr double kFrameSlack = 2e-6;
 inline double nextFrameTime(double time, double step, double framesPerSecond) {
   return (std::floor((time + kFrameSlack * step) * framesPerSecond) + 1.0) / framesPerSecond;
 }
+
+/// A run that goes on repeats at most this many frames; a checkpoint is about as large as a frame in double
+/// precision.
+inline constexpr std::uint64_t kFramesPerCheckpoint = 12;
 
 inline bool hasReached(double time, double step, double moment) {
   return time >= moment - kFrameSlack * step;

@@ -11,7 +11,8 @@
 
 namespace sim {
 
-/// What stands at the head of a take. `scene` is opaque here: the text of the scene the run came from.
+/// What stands at the head of a take. `scene` is opaque here: the text of the scene the run came from, the
+/// newest there is.
 struct TakeHeader {
   std::string scene;
   std::string sceneHash;          ///< hexadecimal, of `scene`
@@ -32,8 +33,8 @@ class TakeWriter {
   static Result<std::unique_ptr<TakeWriter>> create(const std::filesystem::path& path,
                                                     const TakeHeader& header, const Network& network);
   /// Opens an existing take to continue it after frame `lastFrame` (as TakeReader counts them): what stands
-  /// behind that frame's checkpoint is cut off. A Problem, and nothing cut, when that frame or its checkpoint
-  /// is not there or damaged.
+  /// behind that frame's checkpoint is cut off, but for the newest scene that the frame comes from. A
+  /// Problem, and nothing cut, when that frame or its checkpoint is not there or damaged.
   static Result<std::unique_ptr<TakeWriter>> continueAfter(const std::filesystem::path& path,
                                                            std::size_t lastFrame);
   virtual ~TakeWriter() = default;
@@ -47,6 +48,11 @@ class TakeWriter {
   virtual std::uint64_t nodesLeftOut() const = 0;
   /// A checkpoint belongs to the frame appended last; the last one given counts.
   virtual Status appendCheckpoint(const std::vector<std::byte>& checkpoint) = 0;
+  /// The scene was added to while it ran, and says the same as before of all that was recorded. To be
+  /// appended before the first frame that it makes different.
+  virtual Status appendScene(const std::string& scene) = 0;
+  /// What follows comes from this scene, which frames so far know nothing of.
+  virtual Status beginScene(const std::string& scene) = 0;
   /// Notes that the run ended, and how ("done", or the line of the Problem that stopped it), and returns when
   /// the disk has everything. Nothing can be appended afterwards.
   virtual Status finish(const std::string& outcome) = 0;
@@ -64,6 +70,9 @@ class TakeReader {
   virtual const TakeHeader& header() const = 0;
   virtual const Network& network() const = 0;
   virtual std::size_t frameCount() const = 0;
+  /// The text of the scene a frame came from, the newest there is: header().scene, unless another one began
+  /// behind the frame.
+  virtual Result<std::string> sceneOf(std::size_t frame) const = 0;
   /// s; never less than the frame's before.
   virtual double frameTime(std::size_t frame) const = 0;
   virtual Result<SnapshotPointer> frame(std::size_t index) const = 0;

@@ -100,6 +100,11 @@ class Assembly {
           sealedEnd_ = index_.chunks[chunk].end();
         }
         return;
+      case ChunkKind::scene:
+      case ChunkKind::otherScene:
+        index_.sceneChunks.push_back(chunk);
+        sealedEnd_ = index_.chunks[chunk].end();
+        return;
       case ChunkKind::outcome:
         index_.outcome = chunk;
         sealedEnd_ = index_.chunks[chunk].end();
@@ -124,6 +129,7 @@ class Assembly {
     frame.breakage = chunkOfSequence(index_, header.base, ChunkKind::breakage);
     frame.firstEvents = index_.frames.empty() ? 0 : index_.frames.back().lastEvents;
     frame.lastEvents = index_.eventChunks.size();
+    frame.scenes = index_.sceneChunks.size();
     index_.frames.push_back(frame);
     sealedEnd_ = index_.chunks[chunk].end();
   }
@@ -140,6 +146,18 @@ std::size_t chunkOfSequence(const TakeIndex& index, std::uint64_t sequence, Chun
   if (found == index.chunks.end() || sequenceOf(*found) != sequence || found->header.kind != kind)
     return TakeIndex::kNoChunk;
   return static_cast<std::size_t>(found - index.chunks.begin());
+}
+
+TakeIndex::Scenes TakeIndex::scenesFrom(std::size_t before) const {
+  const auto begins = [&](std::size_t scene) {
+    return chunks[sceneChunks[scene]].header.kind == ChunkKind::otherScene;
+  };
+  Scenes scenes{before, before, false};
+  while (scenes.last < sceneChunks.size() && !begins(scenes.last)) ++scenes.last;
+  while (scenes.first > 0 && !begins(scenes.first - 1)) --scenes.first;
+  scenes.fromHead = scenes.first == 0;
+  if (!scenes.fromHead) --scenes.first;
+  return scenes;
 }
 
 Result<TakeIndex> scanTake(const TakeFile& file) {

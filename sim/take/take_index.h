@@ -30,13 +30,24 @@ struct TakeIndex {
     /// Entries of eventChunks: [firstEvents, lastEvents).
     std::size_t firstEvents = 0;
     std::size_t lastEvents = 0;
+    std::size_t scenes = 0;  ///< entries of sceneChunks before it
   };
 
   std::vector<Chunk> chunks;
   std::vector<Frame> frames;
   std::vector<std::size_t> eventChunks;
+  std::vector<std::size_t> sceneChunks;  ///< of both kinds
   std::size_t outcome = kNoChunk;
   std::uint64_t droppedBytes = 0;
+
+  /// Entries of sceneChunks, [first, last), that a frame with so many of them before it comes from: the last
+  /// one that is intact counts, or else the head's, if that is one of them.
+  struct Scenes {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    bool fromHead = true;
+  };
+  Scenes scenesFrom(std::size_t before) const;
 };
 
 /// The chunk of that sequence, if it is there and of that kind; else kNoChunk.

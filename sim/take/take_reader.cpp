@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/base/text_hash.h"
 #include "sim/take/file_take_reader.h"
 #include "sim/take/head_codec.h"
 
@@ -50,14 +51,36 @@ Status FileTakeReader::readBeginning() {
   header_ = std::move(header).value();
   network_ = std::move(decoded).value();
   size_ = NetworkSize::of(network_);
-  if (index_.outcome != TakeIndex::kNoChunk) {
-    if (const auto bytes = content(index_.outcome)) {
-      ByteReader reader(*bytes);
-      std::string text;
-      if (reader.readString(text)) outcome_ = std::move(text);
-    }
+  firstScene_ = header_.scene;
+  if (auto newest = newestScene(index_.scenesFrom(index_.sceneChunks.size()));
+      newest && *newest != firstScene_) {
+    header_.sceneHash = textHash(*newest);
+    header_.scene = std::move(*newest);
   }
+  if (index_.outcome != TakeIndex::kNoChunk) outcome_ = textOf(index_.outcome);
   return Done{};
+}
+
+std::optional<std::string> FileTakeReader::textOf(std::size_t chunk) const {
+  const auto bytes = content(chunk);
+  if (!bytes) return std::nullopt;
+  ByteReader reader(*bytes);
+  std::string text;
+  return reader.readString(text) ? std::optional(std::move(text)) : std::nullopt;
+}
+
+std::optional<std::string> FileTakeReader::newestScene(const TakeIndex::Scenes& scenes) const {
+  for (std::size_t scene = scenes.last; scene-- > scenes.first;) {
+    if (auto text = textOf(index_.sceneChunks[scene])) return text;
+  }
+  return scenes.fromHead ? std::optional(firstScene_) : std::nullopt;
+}
+
+Result<std::string> FileTakeReader::sceneOf(std::size_t frame) const {
+  if (frame >= frameCount()) return noSuchFrame(frame);
+  auto scene = newestScene(index_.scenesFrom(index_.frames[frame].scenes));
+  if (!scene) return damaged("the scene of " + numbered(frame) + " is damaged", "");
+  return std::move(*scene);
 }
 
 std::optional<std::vector<std::byte>> FileTakeReader::content(std::size_t chunk) const {

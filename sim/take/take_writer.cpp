@@ -39,6 +39,8 @@ class FileTakeWriter final : public TakeWriter {
 
   Status appendFrame(const Snapshot& frame, const std::vector<BreakEvent>& eventsSinceLastFrame) override;
   Status appendCheckpoint(const std::vector<std::byte>& checkpoint) override;
+  Status appendScene(const std::string& scene) override { return putScene(ChunkKind::scene, scene); }
+  Status beginScene(const std::string& scene) override { return putScene(ChunkKind::otherScene, scene); }
   Status finish(const std::string& outcome) override;
   void leaveOutUnmoved(bool leaveOut) override { leaveOut_ = leaveOut; }
   std::uint64_t nodesLeftOut() const override { return nodesLeftOut_; }
@@ -47,6 +49,7 @@ class FileTakeWriter final : public TakeWriter {
   /// One flag a node: it must be in this frame. Empty: the frame must be whole.
   std::vector<std::uint8_t> nodesToRecord(const Snapshot& frame) const;
   Problem refusal(const std::string& what) const { return Problem{file_.path().string(), what, ""}; }
+  Status putScene(ChunkKind kind, const std::string& scene);
   Status appendOne(ChunkKind kind, std::uint64_t frame, std::span<const std::byte> content);
 
   TakeFile file_;
@@ -136,6 +139,13 @@ Status FileTakeWriter::appendCheckpoint(const std::vector<std::byte>& checkpoint
   return appendOne(ChunkKind::checkpoint, progress_.nextFrame - 1, checkpoint);
 }
 
+Status FileTakeWriter::putScene(ChunkKind kind, const std::string& scene) {
+  if (finished_) return refusal("a scene came after the end of the take");
+  ByteWriter content;
+  content.putString(scene);
+  return appendOne(kind, progress_.nextFrame, content.bytes());
+}
+
 Status FileTakeWriter::finish(const std::string& outcome) {
   if (finished_) return refusal("the take has ended already");
   ByteWriter content;
@@ -218,9 +228,16 @@ Result<std::unique_ptr<TakeWriter>> TakeWriter::continueAfter(const std::filesys
   const NetworkSize size = NetworkSize::of((*reader)->network());
   const TakeIndex& index = (*reader)->index();
   const std::uint64_t end = index.chunks[index.frames[lastFrame].checkpoint].end();
+  const TakeIndex::Scenes scenes = index.scenesFrom(index.frames[lastFrame].scenes);
+  const bool cutsScene =
+      scenes.last > scenes.first && index.chunks[index.sceneChunks[scenes.last - 1]].offset >= end;
+  const auto scene = cutsScene ? (*reader)->sceneOf(lastFrame) : Result<std::string>(std::string());
+  if (!scene) return scene.problem();
   TakeFile kept = std::move(**reader).releaseFile();
   if (Status cut = kept.cut(end); !cut) return cut.problem();
-  return std::unique_ptr<TakeWriter>(new FileTakeWriter(std::move(kept), size, std::move(progress).value()));
+  std::unique_ptr<TakeWriter> writer(new FileTakeWriter(std::move(kept), size, std::move(progress).value()));
+  if (Status again = cutsScene ? writer->appendScene(*scene) : Status(Done{}); !again) return again.problem();
+  return writer;
 }
 
 }  // namespace sim

@@ -113,6 +113,54 @@ TEST_CASE("a finished run goes on past its end as one that was meant to") {
   CHECK(Json::parse(tests::runCli("info --json " + folder.file("short.take")).output)["frames"] == 21);
 }
 
+TEST_CASE("a run goes on from any frame in a take of its own, as it was or changed") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "run", "").status == 0);
+  const std::string take = folder.file("run.take");
+  const auto size = std::filesystem::file_size(take);
+  const auto goOn = [&](const std::string& name, const std::string& options) {
+    return tests::runCli("resume " + take + " --take " + folder.file(name + ".take") + " --report " +
+                         folder.file(name + ".json") + " " + options);
+  };
+  REQUIRE(goOn("same", "--from 4").status == 0);
+  const Json whole = folder.json("run.json");
+  for (const char* key : {"state_hash", "steps", "energy", "events"}) {
+    INFO(key);
+    CHECK(folder.json("same.json")[key] == whole[key]);
+  }
+  const auto framesOf = [&](const std::string& name) {
+    return Json::parse(tests::runCli("info --json " + folder.file(name + ".take")).output)["frames"];
+  };
+  CHECK(framesOf("same") == framesOf("run"));
+  REQUIRE(goOn("other", "--time 0.008 --set environment.gravity=[0,0,2000]").status == 0);
+  CHECK(folder.json("other.json")["state_hash"] != whole["state_hash"]);
+  CHECK(framesOf("other") == framesOf("run"));
+  // A killed one goes on in place.
+  std::filesystem::resize_file(folder.file("other.take"),
+                               std::filesystem::file_size(folder.file("other.take")) * 9 / 10);
+  REQUIRE(tests::runCli("resume " + folder.file("other.take") + " --report " + folder.file("again.json"))
+              .status == 0);
+  CHECK(folder.json("again.json")["state_hash"] == folder.json("other.json")["state_hash"]);
+  CHECK(std::filesystem::file_size(take) == size);
+
+  const std::pair<std::string, std::string> wrong[] = {
+      {"--from 4", "--take: a run that goes on from a frame needs a take of its own"},
+      {"--from 4 --take " + take, "--take: this is the take that is gone on from"},
+      {"--from 4000 --take x.take", "--from: the take does not have a frame 4000"},
+      {"--take x.take", "command line: --take and --set need a frame"},
+      {"--from 4 --take x.take --set parts.plate.velocity=[0,0,0]", "--set parts: the parts are not those"},
+      {"--from 4 --take x.take --set environment.gravty=3", "--set environment.gravty:1:1: there is no key"},
+  };
+  for (const auto& [arguments, line] : wrong) {
+    const auto answer = tests::runCli("resume " + take + " " + arguments);
+    INFO(arguments + " -> " + answer.errors);
+    CHECK(answer.status == 2);
+    CHECK(answer.errors.starts_with(line));
+    CHECK(std::count(answer.errors.begin(), answer.errors.end(), '\n') == 1);
+  }
+  CHECK_FALSE(std::filesystem::exists("x.take"));
+}
+
 TEST_CASE("options change what they say, and settings anything") {
   const PlateFolder folder;
   REQUIRE(simulate(folder, "run",
@@ -216,6 +264,8 @@ TEST_CASE("info says what a scene will be before it runs") {
   CHECK(info["parts"][0]["worst_scaled_jacobian"].get<double>() == Approx(1.0));
   const Json& flight = info["preflight"];
   CHECK(flight["bonds_broken_at_rest"] == 0);
+  CHECK(flight["stable_step_limited_by"] == "the lattice");
+  CHECK(flight["worst_cells"].size() == 5);
   CHECK(flight["stable_step_s"].get<double>() > 0.0);
   CHECK(flight["steps"].get<double>() == std::ceil(0.03 / flight["step_s"].get<double>()));
   CHECK(flight["frames"] == 16);

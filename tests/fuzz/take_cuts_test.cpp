@@ -20,6 +20,8 @@ namespace {
 
 using Random = std::mt19937_64;
 constexpr std::size_t kFrames = 12;
+const std::string kSecondScene = "{\"someone\": \"poked it\"}";
+const std::string kThirdScene = "{\"gravity\": 0}";
 constexpr rlim_t kMostMemory = rlim_t{1} << 30;
 
 std::size_t below(Random& random, std::size_t limit) {
@@ -131,6 +133,10 @@ bool readEverything(const std::filesystem::path& path, const sim::Network& netwo
     for (std::size_t frame = 0; frame < take.frameCount(); ++frame) {
       const auto read = take.frame(frame);
       (void)take.eventsOf(frame);
+      const auto scene = take.sceneOf(frame);
+      if (!sealed && scene && *scene != sampleHeader().scene && *scene != kSecondScene &&
+          *scene != kThirdScene)
+        return false;
       if (!read) continue;
       if (sim::faultOf(size, **read)) return false;
       const auto number = static_cast<std::size_t>((*read)->time * 240.0 + 0.5);
@@ -171,7 +177,11 @@ TEST_CASE("a spoiled take gives problems or fewer frames, never a wrong frame, a
   {
     auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
     REQUIRE(writer.ok());
-    REQUIRE(appendSample(**writer, network, 0, kFrames).ok());
+    REQUIRE(appendSample(**writer, network, 0, 3).ok());
+    REQUIRE((*writer)->appendScene(kSecondScene).ok());
+    REQUIRE(appendSample(**writer, network, 3, 7).ok());
+    REQUIRE((*writer)->beginScene(kThirdScene).ok());
+    REQUIRE(appendSample(**writer, network, 7, kFrames).ok());
     REQUIRE((*writer)->finish("done").ok());
   }
   const std::vector<char> whole = fileBytes(path);

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/base/text_hash.h"
 #include "sim/take/frame_codec.h"
 #include "sim/take/head_codec.h"
 #include "tests/sim/take_sample.h"
@@ -227,6 +228,64 @@ TEST_CASE("a take that goes on after any checkpoint is the take that never stopp
   for (const std::size_t frame : {1U, 13U}) {
     CHECK_FALSE(sim::TakeWriter::continueAfter(whole, frame).ok());
     CHECK(fileBytes(whole) == expected);
+  }
+}
+
+TEST_CASE("a take knows which scene each frame came from", "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(1, 1, 1);
+  const auto path = folder.file("performed.take");
+  const std::string first = sampleHeader().scene;
+  auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+  REQUIRE(writer.ok());
+  REQUIRE(appendSample(**writer, network, 0, 2).ok());
+  const auto scenes = [&] {
+    const auto take = sim::TakeReader::open(path);
+    REQUIRE(take.ok());
+    CHECK((*take)->droppedBytes() == 0);
+    std::vector<std::string> found;
+    for (std::size_t frame = 0; frame < (*take)->frameCount(); ++frame)
+      found.push_back((*take)->sceneOf(frame).value());
+    CHECK_FALSE((*take)->sceneOf((*take)->frameCount()).ok());
+    found.push_back((*take)->header().scene);
+    CHECK((*take)->header().sceneHash ==
+          (found.back() == first ? sampleHeader().sceneHash : sim::textHash(found.back())));
+    return found;
+  };
+  CHECK(scenes() == std::vector{first, first, first});
+  // What is added holds for the past as well.
+  REQUIRE((*writer)->appendScene("poked").ok());
+  REQUIRE((*writer)->appendScene("poked twice").ok());
+  const std::string poked = "poked twice";
+  CHECK(scenes() == std::vector{poked, poked, poked});
+  REQUIRE(appendSample(**writer, network, 2, 5).ok());
+  // What is another does not.
+  REQUIRE((*writer)->beginScene("other").ok());
+  REQUIRE(appendSample(**writer, network, 5, 6).ok());
+  REQUIRE((*writer)->appendScene("other, poked").ok());
+  const std::string other = "other, poked";
+  CHECK(scenes() == std::vector{poked, poked, poked, poked, poked, other, other});
+
+  SECTION("the newest is lost: the one before it is there") {
+    REQUIRE((*writer)->beginScene("more").ok());
+    writer->reset();
+    auto bytes = fileBytes(path);
+    bytes.back() ^= 1;
+    writeBytes(path, bytes);
+    const auto take = sim::TakeReader::open(path);
+    REQUIRE(take.ok());
+    CHECK((*take)->header().scene == other);
+  }
+  SECTION("a take that goes on keeps the newest scene of where it goes on") {
+    writer->reset();
+    writer = sim::TakeWriter::continueAfter(path, 0);
+    REQUIRE(writer.ok());
+    CHECK(scenes() == std::vector{poked, poked});
+  }
+  SECTION("nothing comes after the end") {
+    REQUIRE((*writer)->finish("done").ok());
+    CHECK_FALSE((*writer)->appendScene("late").ok());
+    CHECK_FALSE((*writer)->beginScene("late").ok());
   }
 }
 

@@ -23,6 +23,7 @@ class MemoryTake : public sim::TakeReader {
   const sim::TakeHeader& header() const override { return header_; }
   const sim::Network& network() const override { return network_; }
   std::size_t frameCount() const override { return frames_.size(); }
+  sim::Result<std::string> sceneOf(std::size_t /*frame*/) const override { return header_.scene; }
   double frameTime(std::size_t frame) const override { return frames_[frame]->time; }
   sim::Result<sim::SnapshotPointer> frame(std::size_t index) const override { return frames_[index]; }
   sim::Result<std::vector<sim::BreakEvent>> eventsOf(std::size_t /*frame*/) const override {

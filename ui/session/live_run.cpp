@@ -19,8 +19,6 @@ constexpr double kSliceSeconds = 4e-3;
 /// Views are made for a screen: no more often than it is drawn, and taking no more than a tenth of the time.
 constexpr auto kViewInterval = 15ms;
 constexpr int kViewShare = 9;
-/// A run that is continued repeats at most this many frames.
-constexpr std::uint64_t kFramesPerCheckpoint = 12;
 /// Of the past in measured rates, at each measurement.
 constexpr double kInertia = 0.8;
 
@@ -72,7 +70,7 @@ sim::Status LiveRun::startFresh() {
   auto take = sim::TakeWriter::create(plan_.take, headerOf(plan_.scene), simulation_->network());
   if (!take) return take.problem();
   take_ = std::move(take).value();
-  framesSinceCheckpoint_ = kFramesPerCheckpoint;
+  framesSinceCheckpoint_ = sim::kFramesPerCheckpoint;
   return recordFrame();
 }
 
@@ -170,7 +168,7 @@ sim::Status LiveRun::recordFrame() {
 
 sim::Status LiveRun::writeFrame(const sim::Snapshot& moment) {
   if (const sim::Status written = take_->appendFrame(moment, unrecorded_); !written) return written;
-  if (++framesSinceCheckpoint_ < kFramesPerCheckpoint && !ended()) return sim::Done{};
+  if (++framesSinceCheckpoint_ < sim::kFramesPerCheckpoint && !ended()) return sim::Done{};
   // A checkpoint that could not be written is tried again with the next frame; the frame itself stands.
   if (take_->appendCheckpoint(simulation_->checkpoint())) framesSinceCheckpoint_ = 0;
   return sim::Done{};
