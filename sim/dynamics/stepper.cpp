@@ -86,7 +86,8 @@ Contacts::Moment Stepper::moment() const {
           kick(),
           0.0,
           fragments_.activity().movedLanes(),
-          fragments_.activity().version()};
+          fragments_.activity().version(),
+          controls_.largestStiffnessScale() != 1.0 || controls_.hasTracks()};
 }
 
 /// Tracks change the world at fixed positions; what that does to the energy is work from outside. The half
@@ -151,7 +152,7 @@ void Stepper::chooseStep() {
     want(*settings_.step);
     return;
   }
-  const Contacts::Stiffest stiffest = contacts_.stiffest(moment());
+  const Contacts::Stiffest stiffest = contacts_.stiffest(moment(), forces_);
   const double lattice = (latticeCounts_ ? 1.0 : kStillLattice) * controls_.largestStiffnessScale();
   const Stiffening stiffening{lattice, controls_.largestDampingScale(), stiffest.rateSquared,
                               stiffest.damping};

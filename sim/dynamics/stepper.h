@@ -126,6 +126,7 @@ class Stepper {
   void breakOverstretched();
   std::vector<Breakage::Overstretched> findOverstretched(const Motion& motion) const;
   double strainIn(const Motion& motion, BondIndex bond) const;
+  double strainIn(const Motion& motion, BondIndex bond, NodeIndex start) const;
   /// The state in which bonds that have just been found break: of one-step methods, the present one.
   const Motion& breakingMotion() const { return oneStep_ ? now_ : next_; }
   void loseBond(const BreakEvent& event);
