@@ -10,8 +10,8 @@
 namespace sim {
 namespace {
 
-/// Any map will do, the nearest is but the best: every so many nodes are enough to find one.
-constexpr std::size_t kSampling = 13;
+/// Any map will do, the nearest is but the best: about so many nodes are enough to find one.
+constexpr std::size_t kSamples = 4096;
 /// Where nodes are in one plane, across it the map is what this share of their extent makes of it: nothing.
 constexpr double kNoExtent = 1e-6;
 constexpr std::size_t kNodesPerTask = 4096;
@@ -42,8 +42,9 @@ SharedMotion::SharedMotion(const NodeVectors& from, const NodeVectors& to) {
 }
 
 void SharedMotion::fit(const NodeVectors& from, const NodeVectors& to) {
+  const std::size_t stride = 1 + from.size() / kSamples;
   double count = 0.0;
-  for (std::size_t node = 0; node < from.size(); node += kSampling, count += 1.0) {
+  for (std::size_t node = 0; node < from.size(); node += stride, count += 1.0) {
     centre_ += from.get(node);
     shift_ += to.get(node) - from.get(node);
   }
@@ -51,7 +52,7 @@ void SharedMotion::fit(const NodeVectors& from, const NodeVectors& to) {
   shift_ /= count;
   Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
-  for (std::size_t node = 0; node < from.size(); node += kSampling) {
+  for (std::size_t node = 0; node < from.size(); node += stride) {
     const Vec3 arm = from.get(node) - centre_;
     extent += arm * arm.transpose();
     product += (to.get(node) - from.get(node) - shift_) * arm.transpose();
