@@ -281,6 +281,7 @@ struct Fields<sim::SkipSettings> {
                       field("rigid", &T::rigid, "Deformation of fragments that fly freely and unstrained."),
                       field("contactSearch", &T::contactSearch, "Where nothing is near anything."),
                       field("labelling", &T::labelling, "Fragments where nothing broke."),
+                      field("recording", &T::recording, "In takes, nodes that did not move."),
                       field("thresholds", &T::thresholds, "Tests of bonds that cannot break."),
                       field("damping", &T::damping, "Dampers of no strength."),
                       field("ledger", &T::ledger, "The account of energy while nobody reads it.")};

@@ -59,6 +59,7 @@ struct SkipSettings {
   bool rigid = true;          ///< deformation of fragments that fly freely with no strain to speak of
   bool contactSearch = true;  ///< where boxes of fragments and colliders are not near each other
   bool labelling = true;      ///< fragments where nothing broke
+  bool recording = true;      ///< in takes, nodes that are where they were in a frame before
   bool thresholds = true;     ///< tests of bonds that cannot break
   bool damping = true;        ///< dampers of no strength
   bool ledger = true;         ///< the account of energy between the moments at which it is read
