@@ -35,21 +35,19 @@ class Walk {
   Walk(const AccuracyScene& scene, sim::Simulation& simulation, double mostSeconds)
       : scene_(scene), simulation_(simulation), mostSeconds_(mostSeconds) {}
 
-  /// `whole` steps from moment to moment; 0: as many as it takes.
-  void toMoment(int index, long whole) {
+  /// To a moment on which a fixed step falls, unless the program divided it on the way, or past one.
+  void toMoment(int index) {
+    constexpr double kSlack = 1e-6;  // of a step: sums of steps are rounded
     const double time = moment(scene_, index);
-    if (whole > 0) {
-      step([&, done = 0L]() mutable { return done++ < whole; });
-      if (course.done()) record(simulation_.snapshot());
-      return;
-    }
-    step([&] { return simulation_.time() + 1.001 * simulation_.step() < time; });
-    while (course.done() && simulation_.time() < time) {
-      const sim::Snapshot before = simulation_.snapshot();
+    step([&] { return simulation_.time() + (1.0 + kSlack) * simulation_.step() < time; });
+    sim::Snapshot now = simulation_.snapshot();
+    while (course.done() && now.time < time - kSlack * simulation_.step()) {
+      const sim::Snapshot before = std::move(now);
       step([&, done = false]() mutable { return !std::exchange(done, true); });
-      const sim::Snapshot after = simulation_.snapshot();
-      if (course.done() && after.time >= time) record(after, between(before, after, time));
+      now = simulation_.snapshot();
+      if (now.time > time + kSlack * simulation_.step()) return record(now, between(before, now, time));
     }
+    if (course.done()) record(now);
   }
   void toBreak() {
     // A method that never tears it would go on for ever.
@@ -102,10 +100,9 @@ Vec3 middleOf(const AccuracyScene& scene, const sim::BreakEvent& event) {
 Course follow(const AccuracyScene& scene, const Stepping& stepping, double mostSeconds) {
   sim::Settings settings = scene.settings;
   settings.method = stepping.method;
-  long whole = 0;
   if (stepping.step) {
-    whole = static_cast<long>(std::ceil(scene.until / kMoments / *stepping.step - 1e-9));
-    settings.step = scene.until / kMoments / static_cast<double>(whole);
+    const double whole = std::ceil(scene.until / kMoments / *stepping.step - 1e-9);
+    settings.step = scene.until / kMoments / whole;
   }
   auto simulation = sim::Simulation::create(scene.network, scene.environment, scene.tracks, settings);
   if (!simulation) {
@@ -115,7 +112,7 @@ Course follow(const AccuracyScene& scene, const Stepping& stepping, double mostS
   }
   Walk walk(scene, **simulation, mostSeconds);
   walk.course.step = (*simulation)->step();
-  for (int index = 0; index < kMoments && walk.course.done(); ++index) walk.toMoment(index, whole);
+  for (int index = 0; index < kMoments && walk.course.done(); ++index) walk.toMoment(index);
   if (scene.untilBreak && walk.course.done()) walk.toBreak();
   return std::move(walk.course);
 }

@@ -42,10 +42,18 @@ bool measured(const AccuracyRow& row) {
   return row.status == "done" && row.strain && row.position && row.method != "reference";
 }
 
-std::vector<std::string> scenesOf(const std::vector<AccuracyRow>& rows) {
+using Chosen = bool (*)(const AccuracyRow& row);
+bool isWhole(const AccuracyRow& row) {
+  return !row.brief;
+}
+bool isDamped(const AccuracyRow& row) {
+  return row.automatic && row.dampingRatio > 0.0;
+}
+
+std::vector<std::string> scenesOf(const std::vector<AccuracyRow>& rows, Chosen chosen) {
   std::vector<std::string> names;
   for (const AccuracyRow& row : rows)
-    if (std::count(names.begin(), names.end(), row.scene) == 0) names.push_back(row.scene);
+    if (chosen(row) && std::count(names.begin(), names.end(), row.scene) == 0) names.push_back(row.scene);
   return names;
 }
 
@@ -79,6 +87,29 @@ std::string goalLine(const std::vector<AccuracyRow>& rows, const std::string& sc
   return "| " + ours->title + " | " + percent(reference->position) + " | " + percent(reference->strain) +
          " | " + percent(ours->position) + " | " + percent(ours->strain) + " | " + percent(ours->energy) +
          " | " + text("%.2g", ours->cpuSeconds) + " | " + gain + " |\n";
+}
+
+/// Those of one title together, the most damped first.
+std::vector<std::string> byDamping(const std::vector<AccuracyRow>& rows) {
+  std::vector<std::string> names = scenesOf(rows, isDamped);
+  std::sort(names.begin(), names.end(), [&](const std::string& left, const std::string& right) {
+    const AccuracyRow& a = *rowOf(rows, left, true);
+    const AccuracyRow& b = *rowOf(rows, right, true);
+    return std::pair(a.title, -a.dampingRatio) < std::pair(b.title, -b.dampingRatio);
+  });
+  return names;
+}
+
+/// What damping decides: a method's step, and so its time.
+std::string dampingLine(const std::vector<AccuracyRow>& rows, const std::string& scene) {
+  const AccuracyRow* const ours = rowOf(rows, scene, true);
+  if (ours == nullptr) return "";
+  const auto euler = timeForStrainError(rows, scene, "forward-euler", kAsked);
+  const auto mine = timeForStrainError(rows, scene, ours->method, kAsked);
+  if (!euler || !mine) return "";
+  return "| " + ours->title + " | " + text("%g", ours->dampingRatio) + " | " + percent(ours->strain) + " | " +
+         seconds(*mine) + " | " + seconds(*euler) + " | " + text("%.3g", euler->seconds / mine->seconds) +
+         " |\n";
 }
 
 std::string methodLines(const std::vector<AccuracyRow>& rows, const std::string& scene) {
@@ -158,6 +189,8 @@ Json toJson(const AccuracyRow& row) {
           {"energy_error", optional(row.energy)},
           {"break_time_error", optional(row.breakTime)},
           {"break_place_error_cm", optional(row.breakPlace)},
+          {"damping_ratio", row.dampingRatio},
+          {"brief", row.brief},
           {"least_gain", row.leastGain},
           {"status", row.status}};
 }
@@ -176,6 +209,8 @@ AccuracyRow accuracyRow(const Json& json) {
   row.energy = number(json, "energy_error");
   row.breakTime = number(json, "break_time_error");
   row.breakPlace = number(json, "break_place_error_cm");
+  row.dampingRatio = number(json, "damping_ratio").value_or(0.0);
+  row.brief = json.value("brief", false);
   row.leastGain = number(json, "least_gain").value_or(0.0);
   row.status = json.value("status", "");
   return row;
@@ -211,12 +246,22 @@ std::string accuracyTables(const std::vector<AccuracyRow>& rows) {
       "forward "
       "Euler's time for 1 % strain error over the default method's |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  for (const std::string& scene : scenesOf(rows)) tables += goalLine(rows, scene);
+  for (const std::string& scene : scenesOf(rows, isWhole)) tables += goalLine(rows, scene);
   tables +=
       "\n| scene | method | longest stable step | strain error | CPU s | CPU s for 1 % strain error | least "
       "strain error | energy error | CPU s |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  for (const std::string& scene : scenesOf(rows)) tables += methodLines(rows, scene);
+  for (const std::string& scene : scenesOf(rows, isWhole)) tables += methodLines(rows, scene);
+  std::string dampings;
+  for (const std::string& scene : byDamping(rows)) dampings += dampingLine(rows, scene);
+  if (!dampings.empty()) {
+    tables +=
+        "\n| scene | damping of the stiffest swing over critical | strain error of default settings | "
+        "default "
+        "method: CPU s for 1 % strain error | forward Euler's | ratio |\n"
+        "| --- | --- | --- | --- | --- | --- |\n" +
+        dampings;
+  }
   if (const std::string lines = breakLines(rows); !lines.empty()) {
     tables +=
         "\n| first break of the bar torn apart, by | step | CPU s | error of its time | of its place, cm |\n"
@@ -228,7 +273,7 @@ std::string accuracyTables(const std::vector<AccuracyRow>& rows) {
 
 std::vector<std::pair<std::string, ui::PlotSheet>> accuracyPlots(const std::vector<AccuracyRow>& rows) {
   std::vector<std::pair<std::string, ui::PlotSheet>> sheets;
-  for (const std::string& scene : scenesOf(rows)) {
+  for (const std::string& scene : scenesOf(rows, isWhole)) {
     const AccuracyRow* const any = rowOf(rows, scene, true);
     if (any == nullptr) continue;
     ui::PlotSheet sheet;

@@ -23,6 +23,8 @@ struct AccuracyRow {
   std::optional<double> position, strain, energy;
   std::optional<double> breakTime;   ///< relative, of the first break
   std::optional<double> breakPlace;  ///< cm
+  double dampingRatio = 0.0;         ///< of the scene's stiffest swing; 0: not stated
+  bool brief = false;                ///< of a scene that only serves to compare dampings
   double leastGain = 0.0;            ///< the scene's goal (accuracy_scenes.h); 0: none
   std::string status;                ///< "done", "blown up", "refused", "too slow"
 };

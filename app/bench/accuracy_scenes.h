@@ -23,6 +23,8 @@ struct AccuracyScene {
   double until = 0.0;         ///< s
   ClosedForm exact;           ///< empty: a finer run is the reference
   bool untilBreak = false;    ///< goes on until the first bond breaks, which must come after `until`
+  double dampingRatio = 0.0;  ///< of the stiffest swing; 0: what the material says
+  bool brief = false;         ///< of the methods only the default and forward Euler are of interest
   double leastGain = 0.0;     ///< goal: forward Euler's time for 1 % strain error over the default's; 0: none
   double limit = 0.0;         ///< s: the longest stable step of velocity Verlet, untouched by anything
   double forwardLimit = 0.0;  ///< s: that of forward Euler

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <exception>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "app/bench/accuracy.h"
 #include "app/bench/accuracy_rows.h"
@@ -83,12 +88,34 @@ constexpr std::array<Section, 5> kSections = {{{"throughput", plainTable},
                                                {"stability", stabilityTable},
                                                {"skip", plainTable}}};
 
-sim::Status measureAll(const DocumentOptions& options, const std::filesystem::path& folder) {
-  if (const auto done = benchThroughput(options.threads, folder); !done) return done;
-  if (const auto done = benchScaling(1, folder); !done) return done;
-  if (const auto done = benchAccuracy({.scenes = {}, .folder = folder, .plots = folder}); !done) return done;
-  if (const auto done = benchStability(false, folder); !done) return done;
-  return benchSkip(1, false, folder);
+/// Measures one after the other; a part that fails costs only itself. Gives the names of those.
+std::vector<std::string> measureAll(const DocumentOptions& options, const std::filesystem::path& folder) {
+  const std::pair<const char*, std::function<sim::Status()>> parts[] = {
+      {"throughput", [&] { return benchThroughput(options.threads, folder); }},
+      {"scaling", [&] { return benchScaling(1, folder); }},
+      {"accuracy",
+       [&] {
+         return benchAccuracy({.quick = options.quick, .scenes = {}, .folder = folder, .plots = folder});
+       }},
+      {"stability", [&] { return benchStability(options.quick, folder); }},
+      {"skip", [&] { return benchSkip(1, options.quick, folder); }}};
+  std::vector<std::string> failed;
+  for (const auto& [name, measure] : parts) {
+    std::fprintf(stderr, "bench %s\n", name);
+    // Old results must not pass for new ones.
+    std::error_code ignored;
+    std::filesystem::remove(folder / (std::string(name) + ".json"), ignored);
+    std::string problem;
+    try {
+      if (const sim::Status done = measure(); !done) problem = done.problem().line();
+    } catch (const std::exception& error) {  // memory may run out in the largest
+      problem = error.what();
+    }
+    if (problem.empty()) continue;
+    std::fprintf(stderr, "bench %s: %s\n", name, problem.c_str());
+    failed.emplace_back(name);
+  }
+  return failed;
 }
 
 sim::Result<Json> resultsOf(const std::filesystem::path& file) {
@@ -117,14 +144,16 @@ sim::Status benchAll(const DocumentOptions& options) {
   std::string text((std::istreambuf_iterator<char>(in)), {});
   if (text.empty())
     return sim::Problem{page.string(), "there is no such page", "name the folder with --docs"};
+  std::vector<std::string> failed;
   if (!options.reuse) {
-    if (const auto done = measureAll(options, folder); !done) return done;
+    failed = measureAll(options, folder);
     text = withSection(std::move(text), "machine", machine());
   }
   for (const Section& section : kSections) {
     if (text.find(std::string("<!-- begin ") + section.name + " -->") == std::string::npos) continue;
-    if (options.reuse && !std::filesystem::exists(folder / (std::string(section.name) + ".json"))) continue;
-    const auto rows = resultsOf(folder / (std::string(section.name) + ".json"));
+    const auto file = folder / (std::string(section.name) + ".json");
+    if (!std::filesystem::exists(file)) continue;
+    const auto rows = resultsOf(file);
     if (!rows) return rows.problem();
     text = withSection(std::move(text), section.name, section.write(*rows));
   }
@@ -133,7 +162,11 @@ sim::Status benchAll(const DocumentOptions& options) {
   out.close();
   if (!out)
     return sim::Problem{page.string(), "the page cannot be written", "choose another folder with --docs"};
-  return sim::Done{};
+  if (failed.empty()) return sim::Done{};
+  std::string names;
+  for (const std::string& name : failed) names += (names.empty() ? "" : ", ") + name;
+  return sim::Problem{page.string(), "it keeps its old figures of what failed: " + names,
+                      "run these by themselves to see why"};
 }
 
 }  // namespace app

@@ -69,8 +69,7 @@ sim::Status benchStability(bool quick, const std::optional<std::filesystem::path
                     {"value", one.value},
                     {"method", one.method},
                     {"passed", result.passed},
-                    {"reason", result.reason.empty() || one.known.empty() ? result.reason
-                                                                          : result.reason + ": " + one.known},
+                    {"reason", result.reason},
                     {"max_rise", result.maxRise},
                     {"momentum_error", result.momentumError},
                     {"deepest_cm", result.deepest}});

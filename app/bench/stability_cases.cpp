@@ -150,8 +150,6 @@ void addMaterials(Cases& cases) {
     World world = weightless();
     world.bar.material.lossFactor = 2.0 * zeta;
     cases.add("damping over critical", "%g", zeta, world);
-    if (zeta == 0.0)
-      cases.cases.back().known = "undamped, the energy that velocity Verlet keeps is not quite the true one";
   }
   for (const double ratio : cases.values({1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6})) {
     World world = weightless();
@@ -227,9 +225,6 @@ void addControls(Cases& cases) {
       // A step of an implicit method costs as much as hundreds of others.
       const int steps = method.starts_with("implicit") || cases.small() ? 100 : 2000;
       cases.add("step safety", "%g", safety, world, steps);
-      if (world.settings.method == sim::Method::forwardEuler && safety >= 0.5)
-        cases.cases.back().known =
-            "where a motion turns, forward Euler adds energy, which its damping then takes";
     }
   }
 }

@@ -17,7 +17,6 @@ struct StabilityCase {
   bool free = false;   ///< nothing acts from outside: momentum must be kept
   double floor = 0.0;  ///< cm: nodes deeper than this below z = 0 went through; 0: there is no floor
   int steps = 2000;
-  std::string known;  ///< why it is known to fail; empty: it must pass
 };
 
 /// `small`: one or two of a group, for tests.

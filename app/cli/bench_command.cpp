@@ -54,6 +54,7 @@ void addAll(CLI::App& bench, ExitStatus& status) {
   const auto options = std::make_shared<DocumentOptions>();
   command->add_option("--docs", options->docs, "Folder of benchmarks.md; results and plots go into plots/");
   command->add_flag("--reuse", options->reuse, "Write anew from the results there; measure nothing");
+  command->add_flag("--quick", options->quick, "Small scenes where there are any: to try the whole");
   command->callback([options, &status] {
     if (const auto done = benchAll(*options); !done) status = complain(done.problem());
   });

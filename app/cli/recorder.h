@@ -45,6 +45,7 @@ class Recorder {
 
   std::optional<double> firstBreak() const { return firstBreak_; }  ///< s
   std::uint64_t breaks() const { return breaks_; }
+  std::uint64_t nodesLeftOut() const { return take_ == nullptr ? 0 : take_->nodesLeftOut(); }
 
  private:
   sim::Status advance(double until, const Watcher& watcher);

@@ -87,6 +87,7 @@ Json reportOf(const ReportInput& input) {
   report["momentum"] = {{"linear", vectorJson(end.ledger.linearMomentum)},
                         {"angular", vectorJson(end.ledger.angularMomentum)}};
   report["work"] = workJson(simulation.work());
+  report["work"]["nodes_unrecorded"] = input.recorder.nodesLeftOut();
   const std::optional<double> firstBreak = input.recorder.firstBreak();
   report["events"] = {{"first_break_s", firstBreak ? Json(*firstBreak) : Json(nullptr)},
                       {"breaks", input.recorder.breaks()}};

@@ -76,6 +76,7 @@ ExitStatus resume(const ResumeOptions& options) {
   auto take = from->frame ? sim::TakeWriter::continueAfter(options.take, *from->frame)
                           : sim::TakeWriter::create(options.take, from->header, (*simulation)->network());
   if (!take) return complain(take.problem());
+  (*take)->leaveOutUnmoved(from->scene.solver.skip.recording);
 
   Recorder recorder(**simulation, take->get(), from->header.framesPerSecond);
   recorder.takeOver(from->events);

@@ -189,10 +189,52 @@ class PartBuilder {
   BuiltParts built_;
 };
 
+/// The region is a box in part a's own coordinates, so that a glue means the same wherever the part is put.
+void excludeOutside(const Box& region, const Part& a, const std::vector<Vec3>& worldNodes,
+                    std::vector<NodeIndex>& excluded) {
+  const Eigen::AlignedBox3d box(region.min, region.max);
+  const Eigen::Affine3d partFromWorld = a.worldFromPart.worldFromPart().inverse();
+  for (NodeIndex node = 0; node < worldNodes.size(); ++node) {
+    if (!box.contains(Vec3(partFromWorld * worldNodes[node]))) excluded.push_back(node);
+  }
+}
+
+std::size_t partIndex(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.parts.begin(), scene.parts.end(),
+                                  [&](const Part& part) { return part.name == name; });
+  return static_cast<std::size_t>(found - scene.parts.begin());
+}
+
 }  // namespace
 
 sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder) {
   return PartBuilder(scene, folder).run();
+}
+
+std::vector<GlueSettings> glueSettings(const Scene& scene, const std::vector<AssemblyPart>& parts) {
+  std::vector<GlueSettings> result;
+  for (const Gluing& gluing : scene.glue) {
+    GlueSettings& settings = result.emplace_back();
+    settings.a = partIndex(scene, gluing.a);
+    settings.b = partIndex(scene, gluing.b);
+    settings.reach = gluing.reach;
+    for (const auto& pair : gluing.pairs) settings.explicitPairs.push_back({pair[0], pair[1], 0.0});
+    settings.excludedNodes = gluing.exclude;
+    if (gluing.region) {
+      excludeOutside(*gluing.region, scene.parts[settings.a], parts[settings.a].lattice.nodes,
+                     settings.excludedNodes);
+    }
+  }
+  return result;
+}
+
+std::vector<GluePart> glueParts(const std::vector<AssemblyPart>& parts) {
+  std::vector<GluePart> result;
+  for (const AssemblyPart& part : parts) {
+    GluePart& glued = result.emplace_back(GluePart{part.name, part.lattice.nodes, part.lattice.cells, {}});
+    for (const sim::BlueprintBond& bond : part.looseBonds) glued.looseBonds.push_back({bond.a, bond.b});
+  }
+  return result;
 }
 
 }  // namespace modeling

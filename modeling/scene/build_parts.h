@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "modeling/assembly/assembly.h"
+#include "modeling/glue/glue.h"
 #include "modeling/material/material.h"
 #include "modeling/scene/scene.h"
 #include "sim/base/result.h"
@@ -18,5 +19,9 @@ struct BuiltParts {
 };
 
 sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder);
+
+/// The parts, and the scene's gluings of them, as glue() takes them.
+std::vector<GluePart> glueParts(const std::vector<AssemblyPart>& parts);
+std::vector<GlueSettings> glueSettings(const Scene& scene, const std::vector<AssemblyPart>& parts);
 
 }  // namespace modeling

@@ -233,6 +233,9 @@ struct Camera {
 
 struct View {
   std::optional<Camera> camera;  ///< absent: framed around everything
+  std::vector<std::string>
+      hidden;  ///< parts that are simulated, but not drawn; names of nothing count nothing
+  std::vector<std::string> locked;  ///< parts and colliders that a click in the viewport passes over
 
   bool operator==(const View&) const = default;
 };

@@ -285,6 +285,7 @@ struct Fields<sim::SkipSettings> {
                       field("rigid", &T::rigid, "Deformation of fragments that fly freely and unstrained."),
                       field("contactSearch", &T::contactSearch, "Where nothing is near anything."),
                       field("labelling", &T::labelling, "Fragments where nothing broke."),
+                      field("recording", &T::recording, "In takes, nodes that did not move."),
                       field("thresholds", &T::thresholds, "Tests of bonds that cannot break."),
                       field("damping", &T::damping, "Dampers of no strength."),
                       field("ledger", &T::ledger, "The account of energy while nobody reads it.")};
@@ -326,7 +327,11 @@ struct Fields<Camera> {
 template <>
 struct Fields<View> {
   static constexpr auto list() {
-    return std::tuple{field("camera", &View::camera, "Left out: everything is framed.")};
+    using T = View;
+    return std::tuple{
+        field("camera", &T::camera, "Left out: everything is framed."),
+        field("hidden", &T::hidden, "Names of parts that are simulated, but not drawn in the window."),
+        field("locked", &T::locked, "Names of parts and colliders that clicks in the window pass over.")};
   }
 };
 

@@ -29,24 +29,29 @@ double spring(double stiffness, double intrusion) {
 
 }  // namespace
 
-/// Tracks that soften a material soften its contacts too, so that they stay no stiffer than its bonds. A
-/// broken bond keeps to its own material, or its energy would change as it breaks.
-Contacts::PairConstants Contacts::constantsOf(NodeIndex node, const Entry& entry,
-                                              std::span<const MaterialNow> materials) const {
+Contacts::PairConstants Contacts::constantsOf(NodeIndex node, const Entry& entry) const {
   if (entry.brokenBond != kNone) {
     const BondClass& bond = network_->bond(entry.brokenBond);
-    const double scale = materials[bond.material].stiffnessScale;
-    return {scale * bond.stiffness, std::sqrt(scale) * bond.damping};
+    return {bond.stiffness, bond.damping};
   }
-  const double scale = std::min(materials[network_->nodeMaterials[node]].stiffnessScale,
-                                materials[network_->nodeMaterials[entry.other]].stiffnessScale);
-  const double stiffness = scale * settings_.stiffnessScale *
+  const double stiffness = settings_.stiffnessScale *
                            static_cast<double>(std::min(nodeStiffness_[node], nodeStiffness_[entry.other]));
-  const double mass = network_->masses[node];
-  const double otherMass = network_->masses[entry.other];
-  const double reduced = 1.0 / (1.0 / mass + 1.0 / otherMass);
+  const double reduced = 1.0 / (1.0 / network_->masses[node] + 1.0 / network_->masses[entry.other]);
   return {stiffness,
           std::isfinite(reduced) ? 2.0 * settings_.dampingRatio * std::sqrt(stiffness * reduced) : 0.0};
+}
+
+/// Tracks that soften a material soften its contacts too, so that they stay no stiffer than its bonds. A
+/// broken bond keeps to its own material, or its energy would change as it breaks.
+Contacts::PairConstants Contacts::scaled(const PairConstants& constants, NodeIndex node, const Entry& entry,
+                                         const Moment& moment) const {
+  if (!moment.scaled) return constants;
+  const std::span<const MaterialNow> materials = moment.materials;
+  const double scale = entry.brokenBond != kNone
+                           ? materials[network_->bond(entry.brokenBond).material].stiffnessScale
+                           : std::min(materials[network_->nodeMaterials[node]].stiffnessScale,
+                                      materials[network_->nodeMaterials[entry.other]].stiffnessScale);
+  return {scale * constants.stiffness, std::sqrt(scale) * constants.damping};
 }
 
 double Contacts::massShare(NodeIndex node, std::span<const RowLook> looks) const {
@@ -129,8 +134,8 @@ void Contacts::look(std::uint32_t index, const Moment& moment, Forces& forces) c
   if (found.touching + found.active == 0) found.clearUntil = odometer_ + kSurely * clearance - moment.lead;
 }
 
-Contacts::Push Contacts::pairPush(NodeIndex node, const Entry& entry, const Moment& moment,
-                                  std::span<const RowLook> looks) const {
+Contacts::Push Contacts::pairPush(NodeIndex node, const Entry& entry, const PairConstants& unscaled,
+                                  const Moment& moment, std::span<const RowLook> looks) const {
   const Vec3 apart = moment.motion.position.get(entry.other) - moment.motion.position.get(node);
   const double squared = apart.squaredNorm();
   if (squared >= entry.rho * entry.rho || squared == 0.0) return {};
@@ -138,7 +143,7 @@ Contacts::Push Contacts::pairPush(NodeIndex node, const Entry& entry, const Mome
   const Vec3 direction = apart / distance;
   const Vec3 relative = moment.motion.velocity.get(entry.other) - moment.motion.velocity.get(node);
   const double separating = relative.dot(direction);
-  const PairConstants constants = constantsOf(node, entry, moment.materials);
+  const PairConstants constants = scaled(unscaled, node, entry, moment);
   const double elastic = constants.stiffness * (entry.rho - distance);
   const double normal = std::max(0.0, elastic - constants.damping * separating);
   Push push{-normal * direction, (elastic - normal) * direction};
@@ -190,8 +195,10 @@ Contacts::ColliderWork Contacts::pushRow(std::uint32_t index, const Moment& mome
     sum.total += push.total;
     sum.lossy += push.lossy;
   };
-  for (std::uint32_t t = 0; t < found.touching; ++t)
-    add(pairPush(row.node, entries_[forces.touching[row.firstEntry + t]], moment, forces.looks));
+  for (std::uint32_t t = 0; t < found.touching; ++t) {
+    const std::uint32_t e = forces.touching[row.firstEntry + t];
+    add(pairPush(row.node, entries_[e], constants_[e], moment, forces.looks));
+  }
   for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c)
     add(colliderPush(row.node, moment.colliders[nearColliders_[c]], moment, forces.looks, work));
   forces.total.set(row.node, sum.total);
@@ -202,7 +209,8 @@ Contacts::ColliderWork Contacts::pushRow(std::uint32_t index, const Moment& mome
 /// Broken since the last rebuild: few that touch, so one after the other.
 void Contacts::pushFresh(const Moment& moment, Forces& forces) const {
   for (const BrokenPair& pair : fresh_) {
-    const Push push = pairPush(pair.a, {pair.restLength, pair.b, pair.bond}, moment, {});
+    const Entry entry{pair.restLength, pair.b, pair.bond};
+    const Push push = pairPush(pair.a, entry, constantsOf(pair.a, entry), moment, {});
     if (push.total.isZero(0.0) && push.lossy.isZero(0.0)) continue;
     forces.touched[pair.a / kBlockNodes] = forces.touched[pair.b / kBlockNodes] = 1;
     forces.total.add(pair.a, push.total);
@@ -246,7 +254,7 @@ double Contacts::energy(const Moment& moment) const {
       const double squared = (moment.motion.position.get(entry.other) - here).squaredNorm();
       if (squared >= entry.rho * entry.rho) continue;
       const double depth = entry.rho - std::sqrt(squared);
-      sum += 0.5 * spring(constantsOf(row.node, entry, moment.materials).stiffness, depth);
+      sum += 0.5 * spring(scaled(constants_[e], row.node, entry, moment).stiffness, depth);
     }
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
       const Collider& collider = moment.colliders[nearColliders_[c]].shape;
@@ -257,17 +265,21 @@ double Contacts::energy(const Moment& moment) const {
   for (const BrokenPair& pair : fresh_) {
     const double depth =
         pair.restLength - (moment.motion.position.get(pair.b) - moment.motion.position.get(pair.a)).norm();
-    if (depth > 0.0)
-      sum += spring(constantsOf(pair.a, {pair.restLength, pair.b, pair.bond}, moment.materials).stiffness,
-                    depth);
+    if (depth <= 0.0) continue;
+    const Entry entry{pair.restLength, pair.b, pair.bond};
+    sum += spring(scaled(constantsOf(pair.a, entry), pair.a, entry, moment).stiffness, depth);
   }
   return sum;
 }
 
-Contacts::Stiffest Contacts::stiffest(const Moment& moment) const {
+Contacts::Stiffest Contacts::stiffest(const Moment& moment, const Forces& forces) const {
   Stiffest most;
   const double closing = kChoiceShare * largestNatural_;
-  for (const Row& row : rows_) {
+  const bool looked = forces.looksOfRebuild == rebuilds_ && forces.looks.size() == rows_.size();
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const Row& row = rows_[r];
+    const bool clear = looked && 2.0 * (forces.looks[r].clearUntil - odometer_) > closing;
+    if (clear && row.firstCollider == row.lastCollider) continue;
     const double mass = network_->masses[row.node];
     if (!std::isfinite(mass)) continue;
     const Vec3 here = moment.motion.position.get(row.node);
@@ -277,7 +289,7 @@ Contacts::Stiffest Contacts::stiffest(const Moment& moment) const {
       const Entry& entry = entries_[e];
       const double reach = entry.rho + closing;
       if ((moment.motion.position.get(entry.other) - here).squaredNorm() > reach * reach) continue;
-      const PairConstants constants = constantsOf(row.node, entry, moment.materials);
+      const PairConstants constants = scaled(constants_[e], row.node, entry, moment);
       stiffness += 2.0 * constants.stiffness;
       damping += 2.0 * constants.damping;
     }

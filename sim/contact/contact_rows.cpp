@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "sim/contact/contacts.h"
+#include "sim/contact/shared_motion.h"
 
 namespace sim {
 namespace {
@@ -102,35 +103,15 @@ void Contacts::age(const Motion& motion, double travel) {
   slack_ -= travel;
   if (slack_ > 0.0) return;
 
-  // The bound ran out: look how far nodes really are from where the rows were built, apart from what all have
-  // in common.
-  const Displacements moved = displacements(motion);
+  // The bound ran out: look how far nodes really are from where they would be, had all gone on together.
+  const SharedMotion moved(reference_, motion.position);
   const double unlimited = std::numeric_limits<double>::max();
-  // Two nodes close in on each other by both their ways. Until the next look either may go as far as the
-  // fastest.
-  const double pairRoom = pairsMayMeet_ ? 0.5 * (pairSkin_ - moved.largestPair) : unlimited;
-  const double colliderRoom = hasColliders_ ? colliderSkin_ - moved.largest - colliderTravel_ : unlimited;
-  // Half again, since what all have in common may change as well.
-  slack_ = 0.5 * std::min(pairRoom, colliderRoom);
-  if (slack_ < travel) stale_ = true;
-}
-
-Contacts::Displacements Contacts::displacements(const Motion& motion) const {
-  const std::size_t count = motion.position.size();
-  Vec3 shift = Vec3::Zero();
-  for (std::size_t node = 0; node < count; ++node) shift += motion.position.get(node) - reference_.get(node);
-  shift /= static_cast<double>(count);
-  double first = 0.0;
-  double second = 0.0;
-  double largest = 0.0;
-  for (std::size_t node = 0; node < count; ++node) {
-    const Vec3 moved = motion.position.get(node) - reference_.get(node);
-    largest = std::max(largest, moved.squaredNorm());
-    const double relative = (moved - shift).squaredNorm();
-    second = std::max(second, std::min(first, relative));
-    first = std::max(first, relative);
-  }
-  return {std::sqrt(first) + std::sqrt(second), std::sqrt(largest)};
+  const double pairRoom = pairsMayMeet_ ? moved.nearest(longest_ + pairSkin_) - longest_ : unlimited;
+  const double colliderRoom =
+      hasColliders_ ? colliderClearance_ - moved.furthest() - colliderTravel_ : unlimited;
+  // Two nodes close in on each other by both their ways.
+  slack_ = std::min(0.5 * pairRoom, colliderRoom);
+  if (slack_ <= 0.0) stale_ = true;
 }
 
 bool Contacts::mayTouch(NodeIndex i, NodeIndex j, const Components& components,
@@ -158,10 +139,12 @@ const Contacts::Entry* Contacts::oldEntry(NodeIndex i, NodeIndex j) const {
 
 void Contacts::collectBroken(const Motion& motion, const Components& components,
                              std::vector<Candidate>& pairs) {
+  const auto byBond = [](const BrokenPair& left, const BrokenPair& right) { return left.bond < right.bond; };
+  std::sort(fresh_.begin(), fresh_.end(), byBond);
+  const auto before = static_cast<std::ptrdiff_t>(broken_.size());
   broken_.insert(broken_.end(), fresh_.begin(), fresh_.end());
+  std::inplace_merge(broken_.begin(), broken_.begin() + before, broken_.end(), byBond);
   fresh_.clear();
-  std::sort(broken_.begin(), broken_.end(),
-            [](const BrokenPair& left, const BrokenPair& right) { return left.bond < right.bond; });
   std::erase_if(broken_, [&](const BrokenPair& pair) {
     return settings_.between && components.of(pair.a) != components.of(pair.b) &&
            distanceOf(motion, pair.a, pair.b) >= pair.restLength;
@@ -203,38 +186,46 @@ void Contacts::collectContacts(const Motion& motion, std::span<const NodeIndex> 
   });
 }
 
-/// One flag a fragment. No depth changes by more than the way between two points.
+/// One flag a fragment: some of its nodes may be near the collider. No depth changes by more than the way
+/// between two points. Keeps count of how far the others are at least.
 std::vector<std::uint8_t> Contacts::fragmentsNear(const Collider& collider, const FragmentBoxes& boxes,
-                                                  std::size_t fragmentCount) const {
-  std::vector<std::uint8_t> near(fragmentCount, 1);
-  for (FragmentId fragment = 0; boxesFirst_ && fragment < fragmentCount; ++fragment) {
+                                                  std::size_t fragmentCount) {
+  std::vector<std::uint8_t> near(fragmentCount, 0);
+  for (FragmentId fragment = 0; fragment < fragmentCount; ++fragment) {
     const FragmentBoxes::Box& box = boxes.of(fragment);
     if (box.isEmpty()) continue;
-    const double radius = 0.5 * box.diagonal().norm();
-    const double depth = intrusion(collider, box.center()).depth;
-    near[fragment] = depth + kRounding * (radius + colliderSkin_) > 0.0 ? 1 : 0;
+    const double radius = 0.5 * kRounding * box.diagonal().norm();
+    const double clearance = -intrusion(collider, box.center()).depth - radius;
+    near[fragment] = clearance < kRounding * colliderSkin_ ? 1 : 0;
+    if (near[fragment] == 0) colliderClearance_ = std::min(colliderClearance_, clearance);
   }
   return near;
 }
 
-std::vector<Contacts::NearCollider> Contacts::collectColliders(
-    const Motion& motion, const Components& components, const FragmentBoxes& boxes,
-    std::span<const MovingCollider> colliders) const {
+std::vector<Contacts::NearCollider> Contacts::collectColliders(const Motion& motion,
+                                                               const Components& components,
+                                                               const FragmentBoxes& boxes,
+                                                               std::span<const MovingCollider> colliders) {
   std::vector<NearCollider> near;
+  colliderClearance_ = std::numeric_limits<double>::max();
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
     if (!colliders[c].active) continue;
     const Collider& collider = colliders[c].shape;
     const auto fragments = fragmentsNear(collider, boxes, components.births().size());
-    if (std::find(fragments.begin(), fragments.end(), 1) == fragments.end()) continue;
+    if (boxesFirst_ && std::find(fragments.begin(), fragments.end(), 1) == fragments.end()) continue;
     const bool plane = collider.shape == ColliderShape::floor;
     const Vec3 normal = collider.rotation * Vec3::UnitZ();
-    const double offset = normal.dot(collider.position) + colliderSkin_;
+    const double offset = normal.dot(collider.position);
     for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {
-      if (fragments[components.of(node)] == 0) continue;
+      const bool nearby = fragments[components.of(node)] != 0;
+      if (boxesFirst_ && !nearby) continue;
       const Vec3 position = motion.position.get(node);
-      const bool close =
-          plane ? normal.dot(position) < offset : intrusion(collider, position).depth > -colliderSkin_;
-      if (close) near.push_back({node, c});
+      const double clearance = plane ? normal.dot(position) - offset : -intrusion(collider, position).depth;
+      if (clearance < colliderSkin_) {
+        near.push_back({node, c});
+      } else if (nearby) {
+        colliderClearance_ = std::min(colliderClearance_, clearance);
+      }
     }
   }
   if (colliders.size() < 2) return near;
@@ -244,46 +235,60 @@ std::vector<Contacts::NearCollider> Contacts::collectColliders(
   return near;
 }
 
-void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near) {
-  struct Half {
-    NodeIndex node;
-    Entry entry;
-  };
-  std::vector<Half> halves;
-  halves.reserve(2 * pairs.size());
+/// Both directions of every pair, by node, then by the other: counted out, since sorting costs more.
+void Contacts::fillEntries(const std::vector<Candidate>& pairs, std::vector<std::uint32_t>& firstEntry) {
+  firstEntry.assign(network_->nodeCount() + 1, 0);
   for (const Candidate& pair : pairs) {
-    halves.push_back({pair.i, pair.entry});
-    halves.back().entry.other = pair.j;
-    halves.push_back({pair.j, pair.entry});
-    halves.back().entry.other = pair.i;
+    ++firstEntry[pair.i + 1];
+    ++firstEntry[pair.j + 1];
   }
-  std::sort(halves.begin(), halves.end(), [](const Half& left, const Half& right) {
-    return std::pair(left.node, left.entry.other) < std::pair(right.node, right.entry.other);
-  });
+  for (std::size_t node = 0; node < network_->nodeCount(); ++node) firstEntry[node + 1] += firstEntry[node];
+  entries_.resize(2 * pairs.size());
+  std::vector<std::uint32_t> next(firstEntry.begin(), firstEntry.end() - 1);
+  for (const Candidate& pair : pairs) {
+    Entry& there = entries_[next[pair.i]++];
+    there = pair.entry;
+    there.other = pair.j;
+    Entry& back = entries_[next[pair.j]++];
+    back = pair.entry;
+    back.other = pair.i;
+  }
+}
+
+void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near) {
   rows_.clear();
   entries_.clear();
   nearColliders_.clear();
-  rowOfNode_.assign(halves.empty() && near.empty() ? 0 : network_->nodeCount(), kNone);
-  for (std::size_t h = 0, c = 0; h < halves.size() || c < near.size();) {
-    const NodeIndex node =
-        std::min(h < halves.size() ? halves[h].node : kNone, c < near.size() ? near[c].node : kNone);
+  rowOfNode_.assign(pairs.empty() && near.empty() ? 0 : network_->nodeCount(), kNone);
+  if (rowOfNode_.empty()) return deduce();
+  std::vector<std::uint32_t> firstEntry;
+  fillEntries(pairs, firstEntry);
+  auto collider = near.begin();
+  for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {
+    const bool touchesCollider = collider != near.end() && collider->node == node;
+    if (firstEntry[node] == firstEntry[node + 1] && !touchesCollider) continue;
     Row row;
     row.node = node;
-    row.firstEntry = static_cast<std::uint32_t>(entries_.size());
-    for (; h < halves.size() && halves[h].node == node; ++h) entries_.push_back(halves[h].entry);
-    row.lastEntry = static_cast<std::uint32_t>(entries_.size());
+    row.firstEntry = firstEntry[node];
+    row.lastEntry = firstEntry[node + 1];
+    std::sort(entries_.begin() + row.firstEntry, entries_.begin() + row.lastEntry,
+              [](const Entry& left, const Entry& right) { return left.other < right.other; });
     row.firstCollider = static_cast<std::uint32_t>(nearColliders_.size());
-    for (; c < near.size() && near[c].node == node; ++c) nearColliders_.push_back(near[c].collider);
+    for (; collider != near.end() && collider->node == node; ++collider)
+      nearColliders_.push_back(collider->collider);
     row.lastCollider = static_cast<std::uint32_t>(nearColliders_.size());
     rowOfNode_[node] = static_cast<std::uint32_t>(rows_.size());
     rows_.push_back(row);
   }
-  noteLengths();
+  deduce();
 }
 
-/// What rows and entries say of natural lengths.
-void Contacts::noteLengths() {
+/// What follows from rows, entries and broken bonds.
+void Contacts::deduce() {
   growing_.clear();
+  constants_.resize(entries_.size());
+  longest_ = largestNatural_;
+  for (const BrokenPair& pair : broken_) longest_ = std::max(longest_, pair.restLength);
   for (std::uint32_t r = 0; r < rows_.size(); ++r) {
     Row& row = rows_[r];
     double reach = 0.0;
@@ -291,6 +296,7 @@ void Contacts::noteLengths() {
       const Entry& entry = entries_[e];
       const bool broken = entry.brokenBond != kNone;
       const double natural = broken ? entry.rho : naturalLength(row.node, entry.other);
+      constants_[e] = constantsOf(row.node, entry);
       reach = std::max(reach, natural);
       if (entry.rho < natural) growing_.push_back({r, e});
     }
@@ -361,6 +367,7 @@ void Contacts::save(ByteWriter& writer) const {
   writer.put(odometerAtChoice_);
   writer.put(slack_);
   writer.put(colliderTravel_);
+  writer.put(colliderClearance_);
   writer.put(stepsToRebuild_);
   writer.put(rebuilds_);
   writer.put(searches_);
@@ -381,6 +388,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   reader.read(odometerAtChoice_);
   reader.read(slack_);
   reader.read(colliderTravel_);
+  reader.read(colliderClearance_);
   reader.read(stepsToRebuild_);
   reader.read(rebuilds_);
   reader.read(searches_);
@@ -409,14 +417,14 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   for (std::size_t k = 0; k < 3; ++k) std::copy(reference[k].begin(), reference[k].end(), reference_.axis(k));
   rowOfNode_.assign(nodes, kNone);
   for (std::uint32_t r = 0; r < rows_.size(); ++r) rowOfNode_[rows_[r].node] = r;
-  noteLengths();
+  deduce();
   return std::all_of(entries_.begin(), entries_.end(),
                      [&](const Entry& entry) { return rowOfNode_[entry.other] != kNone; });
 }
 
 std::size_t Contacts::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return bytes(nodeStiffness_) + grid_.memoryBytes() + bytes(rows_) + bytes(entries_) +
+  return bytes(nodeStiffness_) + grid_.memoryBytes() + bytes(rows_) + bytes(entries_) + bytes(constants_) +
          bytes(nearColliders_) + bytes(rowOfNode_) + bytes(growing_) + bytes(broken_) + bytes(fresh_) +
          (reference_.size() > 0 ? reference_.memoryBytes() : 0);
 }

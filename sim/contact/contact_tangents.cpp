@@ -22,7 +22,7 @@ void Contacts::addPairTangent(NodeIndex node, const Entry& entry, const Moment& 
   const Vec3 direction = apart / distance;
   const Vec3 relative = moment.motion.velocity.get(entry.other) - moment.motion.velocity.get(node);
   const double separating = relative.dot(direction);
-  const PairConstants constants = constantsOf(node, entry, moment.materials);
+  const PairConstants constants = scaled(constantsOf(node, entry), node, entry, moment);
   const double elastic = constants.stiffness * (entry.rho - distance);
   Tangent tangent{node, entry.other, direction, 0.0, 0.0, 0.0, 0.0};
   if (elastic - constants.damping * separating > 0.0) {

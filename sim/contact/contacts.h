@@ -60,6 +60,7 @@ class Contacts {
     /// and forces on them are not found.
     std::span<const std::uint16_t> awake = {};
     std::uint64_t awakeVersion = 0;  ///< another number whenever `awake` says otherwise than before
+    bool scaled = true;              ///< some material's stiffness may be other than the network says
   };
 
   /// A bond broke at this rest length: it goes on repelling.
@@ -148,7 +149,9 @@ class Contacts {
     double rateSquared = 0.0;  ///< largest over nodes of the sum of (2 k_pair + k_collider) / m, 1/s^2
     double damping = 0.0;      ///< likewise of 2 d / m, 1/s
   };
-  Stiffest stiffest(const Moment& moment) const;
+  /// `forces` are of this step or the one before, or have been forgotten: what was found clear then need not
+  /// be looked at.
+  Stiffest stiffest(const Moment& moment, const Forces& forces) const;
   /// The step was chosen by what stiffest() says of this moment; that holds until so much has moved that
   /// pairs not counted in it may touch.
   void noteChoice() { odometerAtChoice_ = odometer_; }
@@ -198,14 +201,7 @@ class Contacts {
     Vec3 lossy = Vec3::Zero();
   };
 
-  /// How far nodes are from where they were at the last rebuild, cm.
-  struct Displacements {
-    double largestPair = 0.0;  ///< sum of the two largest, apart from the mean of all
-    double largest = 0.0;      ///< of any node, all in all
-  };
-
   // Rebuilding (contact_rows.cpp).
-  Displacements displacements(const Motion& motion) const;
   double naturalLength(NodeIndex i, NodeIndex j) const;
   bool mayTouch(NodeIndex i, NodeIndex j, const Components& components, const Breakage& breakage) const;
   const Entry* oldEntry(NodeIndex i, NodeIndex j) const;
@@ -216,13 +212,14 @@ class Contacts {
   void collectContacts(const Motion& motion, std::span<const NodeIndex> nodes, const Components& components,
                        const Breakage& breakage, std::vector<Candidate>& pairs);
   std::vector<std::uint8_t> fragmentsNear(const Collider& collider, const FragmentBoxes& boxes,
-                                          std::size_t fragmentCount) const;
+                                          std::size_t fragmentCount);
   std::vector<NearCollider> collectColliders(const Motion& motion, const Components& components,
                                              const FragmentBoxes& boxes,
-                                             std::span<const MovingCollider> colliders) const;
+                                             std::span<const MovingCollider> colliders);
+  void fillEntries(const std::vector<Candidate>& pairs, std::vector<std::uint32_t>& firstEntry);
   void fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near);
   const BrokenPair* findBroken(BondIndex bond) const;
-  void noteLengths();
+  void deduce();
   static void savePairs(ByteWriter& writer, const std::vector<BrokenPair>& pairs);
   void loadPairs(ByteReader& reader, std::vector<BrokenPair>& pairs) const;
 
@@ -231,7 +228,10 @@ class Contacts {
     double stiffness = 0.0;  ///< dyn/cm
     double damping = 0.0;    ///< g/s
   };
-  PairConstants constantsOf(NodeIndex node, const Entry& entry, std::span<const MaterialNow> materials) const;
+  /// Where no track scales anything.
+  PairConstants constantsOf(NodeIndex node, const Entry& entry) const;
+  PairConstants scaled(const PairConstants& constants, NodeIndex node, const Entry& entry,
+                       const Moment& moment) const;
   static bool isAwake(NodeIndex node, const Moment& moment) {
     return moment.awake.empty() ||
            ((static_cast<unsigned>(moment.awake[node / kBlockNodes]) >> (node % kBlockNodes)) & 1U) != 0;
@@ -239,7 +239,7 @@ class Contacts {
   double massShare(NodeIndex node, std::span<const RowLook> looks) const;
   void prepare(const Moment& moment, Forces& forces) const;
   void look(std::uint32_t row, const Moment& moment, Forces& forces) const;
-  Push pairPush(NodeIndex node, const Entry& entry, const Moment& moment,
+  Push pairPush(NodeIndex node, const Entry& entry, const PairConstants& unscaled, const Moment& moment,
                 std::span<const RowLook> looks) const;
   Push colliderPush(NodeIndex node, const MovingCollider& collider, const Moment& moment,
                     std::span<const RowLook> looks, ColliderWork& work) const;
@@ -268,6 +268,7 @@ class Contacts {
   HashGrid grid_;
   std::vector<Row> rows_;  ///< by node
   std::vector<Entry> entries_;
+  std::vector<PairConstants> constants_;  ///< by entry: square roots are not for every step
   std::vector<std::uint32_t> nearColliders_;
   std::vector<std::uint32_t> rowOfNode_;  ///< kNone where a node has none
   struct Growing {
@@ -285,6 +286,8 @@ class Contacts {
   double odometerAtChoice_ = 0.0;  ///< cm: when the step was chosen
   double slack_ = 0.0;  ///< cm that may yet be travelled before the displacements must be looked at
   double colliderTravel_ = 0.0;
+  double colliderClearance_ = 0.0;    ///< cm: no node outside the rows was nearer to a collider
+  double longest_ = 0.0;              ///< cm: no natural or rest length is longer
   std::uint32_t stepsToRebuild_ = 0;  ///< counts down after births; 0: no rebuild is due
   std::uint64_t rebuilds_ = 0;
   std::uint64_t searches_ = 0;

@@ -323,6 +323,7 @@ double FragmentStates::calmSpeed(const RigidBody& body, const Record& record) co
 
 /// Finds which nodes of rigid bodies may be pushed, and melts those bodies that are neared too fast.
 void FragmentStates::noteTouching() {
+  if (!skip_.rigid && bodies_.empty()) return;
   std::vector<std::vector<std::uint32_t>> touched(bodies_.size());
   std::vector<std::uint8_t> struck(bodies_.size(), 0);
   std::vector<std::uint32_t> bodyOf(records_.size(), kNone);

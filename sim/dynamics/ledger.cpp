@@ -88,17 +88,20 @@ LedgerRow Ledger::draw(double time, double step, const NodeVectors& position, co
   return row;
 }
 
-void Ledger::begin(const LedgerRow& row) {
+void Ledger::begin(const LedgerRow& row, double kept) {
   start_ = row.energy.mechanical();
   lowest_ = start_;
+  lowestKept_ = kept;
   startActive_ = scale_ = row.energy.kinetic + row.energy.elastic + row.energy.contact;
 }
 
-bool Ledger::watch(const LedgerRow& row) {
+bool Ledger::watch(const LedgerRow& row, double kept) {
   const double unexplained = row.energy.mechanical() - row.energy.outsideWork;
+  const double unexplainedKept = kept - row.energy.outsideWork;
   const double active = row.energy.kinetic + row.energy.elastic + row.energy.contact;
   lowest_ = std::min(lowest_, unexplained);
-  largestRise_ = std::max(largestRise_, unexplained - lowest_);
+  lowestKept_ = std::min(lowestKept_, unexplainedKept);
+  largestRise_ = std::max(largestRise_, std::min(unexplained - lowest_, unexplainedKept - lowestKept_));
   scale_ = std::max(scale_, active);
   double mass = 0.0;
   for (const double one : network_->masses) mass += std::isfinite(one) ? one : 0.0;
@@ -117,14 +120,14 @@ double Ledger::gravityWork(const NodeVectors& position, const Vec3& before, cons
 
 void Ledger::save(ByteWriter& writer) const {
   for (const double value : {flows_.dissipated, flows_.released, flows_.outsideWork, start_, lowest_,
-                             largestRise_, scale_, startActive_}) {
+                             lowestKept_, largestRise_, scale_, startActive_}) {
     writer.put(value);
   }
 }
 
 bool Ledger::load(ByteReader& reader) {
   for (double* value : {&flows_.dissipated, &flows_.released, &flows_.outsideWork, &start_, &lowest_,
-                        &largestRise_, &scale_, &startActive_}) {
+                        &lowestKept_, &largestRise_, &scale_, &startActive_}) {
     reader.read(*value);
   }
   return reader.ok();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "sim/base/bytes.h"
 #include "sim/contact/contacts.h"
 #include "sim/dynamics/bond_layout.h"
@@ -28,11 +30,15 @@ class Ledger {
   /// energy as they are, and what was dissipated and done from outside since the flows were last added to.
   LedgerRow draw(double time, double step, const NodeVectors& position, const NodeVectors& velocity,
                  const Energy& present, const Vec3& gravity) const;
-  /// Takes a row as the start, against which residuals are counted.
-  void begin(const LedgerRow& row);
-  /// Looks at a row for rises of energy that nothing explains. False when the energy is past all bounds: a
-  /// blow-up.
-  bool watch(const LedgerRow& row);
+  /// Takes a row as the start, against which residuals are counted. `kept`: the
+  /// mechanical energy that the method keeps, erg.
+  void begin(const LedgerRow& row, double kept);
+  /// Looks for rises of energy that nothing explains: of the true one, which goes up and down with every
+  /// swing, and of what the method keeps, which another step or stiffness changes. Only where both
+  /// rise is energy gained. False when the energy of the row is past all bounds: a blow-up.
+  bool watch(const LedgerRow& row, double kept);
+  /// Forces have leapt: what the method keeps is another energy from here on.
+  void forgetKept() { lowestKept_ = std::numeric_limits<double>::infinity(); }
 
   double maxRise() const;
   /// Energy of position that a change of gravity gives, erg: the work of whatever changed it.
@@ -49,6 +55,7 @@ class Ledger {
   Energy flows_;              ///< dissipated, released, outsideWork since the start
   double start_ = 0.0;        ///< mechanical energy at the start, erg
   double lowest_ = 0.0;       ///< of mechanical - outsideWork so far, erg
+  double lowestKept_ = 0.0;   ///< likewise of what the method keeps
   double largestRise_ = 0.0;  ///< above the lowest before, erg
   double scale_ = 0.0;        ///< the most energy seen in motion, bonds and contacts, erg
   double startActive_ = 0.0;  ///< that of the start, erg

@@ -114,6 +114,13 @@ void RigidBody::placeVelocities(NodeVectors& velocities, const Rates& rates) con
 }
 
 void RigidBody::placeTouched(Motion& motion) const {
+  if (!(radius_ > 0.0)) {
+    for (const std::uint32_t place : touched_) {
+      motion.position.set(nodes_[place], centre_);
+      motion.velocity.set(nodes_[place], velocity_);
+    }
+    return;
+  }
   const Rates now = rates();
   // The same arithmetic as in place(), so that it does not show which of the two was called last.
   const Eigen::Matrix3d turn = worldFromBody_.toRotationMatrix();

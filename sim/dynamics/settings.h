@@ -59,6 +59,7 @@ struct SkipSettings {
   bool rigid = true;          ///< deformation of fragments that fly freely with no strain to speak of
   bool contactSearch = true;  ///< where boxes of fragments and colliders are not near each other
   bool labelling = true;      ///< fragments where nothing broke
+  bool recording = true;      ///< in takes, nodes that are where they were in a frame before
   bool thresholds = true;     ///< tests of bonds that cannot break
   bool damping = true;        ///< dampers of no strength
   bool ledger = true;         ///< the account of energy between the moments at which it is read
@@ -69,7 +70,9 @@ struct SkipSettings {
 struct Settings {
   Method method = Method::velocityVerlet;
   Precision precision = Precision::float64;
-  std::optional<double> step;  ///< s; absent: automatic and stable (docs/numerics.md)
+  /// s; absent: automatic and stable (docs/numerics.md). Where contacts or tracks make the scene too stiff
+  /// for it on the way, it is divided into equal parts.
+  std::optional<double> step;
   /// Of strain, relative to the largest there was, rms over bonds, a shortest swing: then the automatic step
   /// is shortened to keep to it. Not for the paper's methods of Euler, and not with `step`.
   std::optional<double> tolerance;

@@ -1,7 +1,9 @@
 #include "sim/dynamics/simulation.h"
 
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "sim/dynamics/stepper.h"
 
@@ -64,6 +66,26 @@ std::optional<Problem> checkTracks(const Network& network, const Environment& en
   return std::nullopt;
 }
 
+/// What can't be stable is refused.
+std::optional<Problem> checkStep(const Stepper& stepper, const Settings& settings) {
+  if (settings.step) {
+    if (*settings.step <= stepper.longestStep()) return std::nullopt;
+    if (stepper.longestStep() > 0.0) {
+      std::ostringstream longest;
+      longest << std::setprecision(4) << stepper.longestStep();
+      return Problem{"solver.step",
+                     "the step is longer than " + longest.str() + " s, the longest that is stable with " +
+                         std::string(nameOf(settings.method)),
+                     "take a shorter one, or leave it \"auto\""};
+    }
+  } else if (stepper.step() > 0.0) {
+    return std::nullopt;
+  }
+  return Problem{"solver.method",
+                 "no step is stable: forward Euler gains energy wherever a bond has no damping",
+                 "choose velocity-verlet, or give every material a loss factor"};
+}
+
 std::optional<Problem> checkSettings(const Network& network, const Environment& environment,
                                      const Settings& settings, const std::vector<Track>& tracks) {
   if (network.nodeCount() == 0) return Problem{"", "there is nothing to simulate", "add a part to the scene"};
@@ -107,11 +129,7 @@ Result<std::unique_ptr<Simulation>> Simulation::create(Network network, Environm
   if (auto problem = checkSettings(network, environment, settings, tracks)) return *problem;
   auto state =
       std::make_unique<State>(std::move(network), std::move(environment), std::move(tracks), settings);
-  if (!(state->stepper.step() > 0.0)) {
-    return Problem{"solver.method",
-                   "no step is stable: forward Euler gains energy wherever a bond has no damping",
-                   "choose velocity-verlet, or give every material a loss factor"};
-  }
+  if (auto problem = checkStep(state->stepper, settings)) return *problem;
   return std::unique_ptr<Simulation>(new Simulation(std::move(state)));
 }
 

@@ -36,8 +36,7 @@ struct Work {
 class Simulation {
  public:
   /// Takes the network over. A Problem when nothing can be done with it: no nodes, a setting out of range, a
-  /// track that drives nothing, no stable step for the method. A fixed step is believed; if it is too long,
-  /// the run will say so.
+  /// track that drives nothing, no stable step for the method, a fixed step longer than any that is stable.
   static Result<std::unique_ptr<Simulation>> create(Network network, Environment environment,
                                                     std::vector<Track> tracks, const Settings& settings);
   ~Simulation();

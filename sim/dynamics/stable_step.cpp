@@ -21,6 +21,10 @@ constexpr int kPowerSteps = 20;
 constexpr double kImplicitStretch = 10.0;
 /// Power of a node's bound with which the iteration starts: a spot half again as stiff stands out 25 times.
 constexpr double kLeaning = 8.0;
+/// Of forward Euler's swings by themselves, relative: a tenth less than a run may show.
+constexpr double kMostRiseOfSwing = 0.0045;
+/// Of the step at which strong dampers begin to overshoot: there the estimate above is too low.
+constexpr double kCalmSafety = 0.25;
 /// Different cells whose eigenvalues are computed before the rest is bounded by row sums alone.
 constexpr std::size_t kMostCells = 400;
 
@@ -200,9 +204,24 @@ Spectrum measureSpectrum(const Network& network) {
   return spectrum;
 }
 
+namespace {
+
+/// omega, rad/s, contacts counted in.
+double totalFrequency(const Spectrum& spectrum, const Stiffening& stiffening) {
+  const double internal = spectrum.highestFrequency * spectrum.highestFrequency;
+  return std::sqrt(internal * stiffening.stiffnessScale + stiffening.contactRateSquared);
+}
+
+/// d / k, s.
+double shortestDamping(const Spectrum& spectrum, const Stiffening& stiffening) {
+  return spectrum.shortestDamping * stiffening.dampingScale / stiffening.stiffnessScale;
+}
+
+}  // namespace
+
 double stableStep(const Spectrum& spectrum, const Stiffening& stiffening, Method method, double safety) {
   const double internal = spectrum.highestFrequency * spectrum.highestFrequency;
-  const double total = std::sqrt(internal * stiffening.stiffnessScale + stiffening.contactRateSquared);
+  const double total = totalFrequency(spectrum, stiffening);
   if (!(total > 0.0)) return std::numeric_limits<double>::infinity();
   if (isImplicit(method)) return safety * kImplicitStretch * 2.0 / total;
   const double rate =
@@ -212,8 +231,18 @@ double stableStep(const Spectrum& spectrum, const Stiffening& stiffening, Method
   // sqrt(1 + zeta^2) - zeta without its cancellation where damping is strong.
   const double step = safety * (2.0 / total) / (std::sqrt(1.0 + zeta * zeta) + zeta);
   if (method != Method::forwardEuler) return step;
-  return std::min(step,
-                  safety * spectrum.shortestDamping * stiffening.dampingScale / stiffening.stiffnessScale);
+  return std::min(step, safety * shortestDamping(spectrum, stiffening));
+}
+
+double automaticStep(const Spectrum& spectrum, const Stiffening& stiffening, Method method, double safety) {
+  const double step = stableStep(spectrum, stiffening, method, safety);
+  if (method != Method::forwardEuler || !std::isfinite(step)) return step;
+  const double calm = std::cbrt(std::pow(kMostRiseOfSwing / totalFrequency(spectrum, stiffening), 2) *
+                                shortestDamping(spectrum, stiffening));
+  // Of the dampers alone: symplectic Euler has no other bound.
+  const double slack =
+      stableStep(spectrum, stiffening, Method::symplecticEuler, std::min(safety, kCalmSafety));
+  return std::min({step, calm, slack});
 }
 
 }  // namespace sim

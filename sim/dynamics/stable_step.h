@@ -28,4 +28,10 @@ struct Stiffening {
 /// / k (zero when undamped: then no step is stable). Infinite when nothing limits the step.
 double stableStep(const Spectrum& spectrum, const Stiffening& stiffening, Method method, double safety);
 
+/// The step the program takes by itself: stableStep(), and for forward Euler so much shorter that no swing
+/// gains more than 0.005 of its energy on the way. It gains where a swing turns round, and its dampers take
+/// that back only where it moves: with tau = d / k, by omega h^(3/2) / tau^(1/2) of what there was, worst in
+/// the stiffest swing (docs/numerics.md).
+double automaticStep(const Spectrum& spectrum, const Stiffening& stiffening, Method method, double safety);
+
 }  // namespace sim

@@ -71,7 +71,7 @@ Stepper::Stepper(Network network, Environment environment, std::vector<Track> tr
     chooseStep();
     refreshContacts();
     fittedVersion_ = fragments_.activity().version();
-    ledger_.begin(drawLedger(present()));
+    ledger_.begin(drawLedger(present()), keptEnergy().energy);
   });
 }
 
@@ -86,7 +86,8 @@ Contacts::Moment Stepper::moment() const {
           kick(),
           0.0,
           fragments_.activity().movedLanes(),
-          fragments_.activity().version()};
+          fragments_.activity().version(),
+          controls_.largestStiffnessScale() != 1.0 || controls_.hasTracks()};
 }
 
 /// Tracks change the world at fixed positions; what that does to the energy is work from outside. The half
@@ -113,6 +114,7 @@ void Stepper::applyControls() {
   if (energyChanges || change.colliders) refreshContacts();
   if (energyChanges) {
     ledger_.addOutsideWork(potentialEnergy() - before);
+    ledger_.forgetKept();
     chooseStep();
   }
   if (change.gravity) {
@@ -164,20 +166,33 @@ double Stepper::fastestNow() const {
 void Stepper::chooseStep() {
   contacts_.noteChoice();
   latticeCounts_ = latticeMoves();
-  if (settings_.step) {
-    want(*settings_.step);
-    return;
-  }
-  const Contacts::Stiffest stiffest = contacts_.stiffest(moment());
+  const Contacts::Stiffest stiffest = contacts_.stiffest(moment(), forces_);
   const double lattice = (latticeCounts_ ? 1.0 : kStillLattice) * controls_.largestStiffnessScale();
   const Stiffening stiffening{lattice, controls_.largestDampingScale(), stiffest.rateSquared,
                               stiffest.damping};
-  const double stable = stableStep(spectrum_, stiffening, settings_.method, settings_.safety);
+  if (settings_.step) {
+    want(partOfFixedStep(stiffening));
+    return;
+  }
+  const double stable = automaticStep(spectrum_, stiffening, settings_.method, settings_.safety);
   // A network in which nothing is stiff moves in free flight: any step will do, frames set the pace.
   constexpr double kLongest = 1e-2;
   const double wanted = std::min({stable, kLongest, latticeCounts_ ? toleratedStep_ : kLongest,
                                   contacts_.longestTravel() / fastestNow()});
   if (wantedStep_ == 0.0 || wanted < wantedStep_ || wanted > kStepGrowth * wantedStep_) want(wanted);
+}
+
+/// The fixed step, or an equal part of it while contacts or a track make the scene too stiff for the whole.
+double Stepper::partOfFixedStep(const Stiffening& stiffening) {
+  const double step = *settings_.step;
+  if (isImplicit(settings_.method)) return step;
+  const Stiffening untouched{stiffening.stiffnessScale, stiffening.dampingScale};
+  longestStep_ = stableStep(spectrum_, untouched, settings_.method, 1.0);
+  const double longest = stableStep(spectrum_, stiffening, settings_.method, 1.0);
+  if (step <= longest) return step;
+  if (!(longest > 0.0)) return 0.0;
+  constexpr double kSafetyOfParts = 0.9;
+  return step / std::ceil(step / (kSafetyOfParts * longest));
 }
 
 /// Some bond is evaluated.
@@ -319,6 +334,11 @@ void Stepper::countWork() {
 }
 
 Status Stepper::stepInArena() {
+  if (!(wantedStep_ > 0.0)) {
+    return Problem{"t = " + std::to_string(time()) + " s",
+                   "no step is stable any more: forward Euler gains energy wherever a bond has no damping",
+                   "choose velocity-verlet, or keep the damping's track above zero"};
+  }
   const bool moving = !fragments_.noneDeforms() || fragments_.anyTouched();
   const Result<double> travel = oneStep_ ? moveByOneStep() : moveByLeapfrog();
   if (!travel) return travel.problem();
@@ -398,7 +418,8 @@ Problem Stepper::blowUp(const char* what) const {
 
 Status Stepper::watchEnergy() {
   fragments_.placeBodies();
-  if (ledger_.watch(drawLedger(present()))) return Done{};
+  const Kept kept = keptEnergy();
+  if (ledger_.watch(kept.row, kept.energy)) return Done{};
   return blowUp("is the fastest, and there is far more energy than there was to have");
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -66,6 +68,8 @@ class Stepper {
     double outsideWork = 0.0;  ///< erg, likewise
   };
   Present present() const;
+  /// s: the longest fixed step that is stable where nothing touches.
+  double longestStep() const { return longestStep_; }
   LedgerRow drawLedger(const Present& present) const;
   std::uint64_t stateHash() const;
 
@@ -98,11 +102,19 @@ class Stepper {
   bool skipsFragments() const;
   void sleepUntil(double until);
   void countWork();
-  Present presentBy(Contacts::Forces& forces) const;
+  Present presentBy(Contacts::Forces& forces, double halfKick) const;
+  double halfKick() const;
+  /// The account at a moment, and the mechanical energy that the method keeps then, erg.
+  struct Kept {
+    LedgerRow row;
+    double energy = 0.0;
+  };
+  Kept keptEnergy() const;
   double elasticEnergyNow() const;
   double carryingWork(const Motion& at, const Contacts::Forces& forces, double kick) const;
   Vec3 bondForce(const Motion& at, NodeIndex node, NodeIndex neighbour) const;
   void chooseStep();
+  double partOfFixedStep(const Stiffening& stiffening);
   bool latticeMoves() const;
   // The step that keeps to a tolerance (stepper_tolerance.cpp).
   double stiffestRate() const;
@@ -132,6 +144,7 @@ class Stepper {
   void breakOverstretched();
   std::vector<Breakage::Overstretched> findOverstretched(const Motion& motion) const;
   double strainIn(const Motion& motion, BondIndex bond) const;
+  double strainIn(const Motion& motion, BondIndex bond, NodeIndex start) const;
   /// The state in which bonds that have just been found break: of one-step methods, the present one.
   const Motion& breakingMotion() const { return oneStep_ ? now_ : next_; }
   void loseBond(const BreakEvent& event);
@@ -171,9 +184,11 @@ class Stepper {
   double segmentStart_ = 0.0;  ///< s: when the present step size began
   std::uint64_t segmentSteps_ = 0;
   double step_ = 0.0;  ///< s
-  double wantedStep_ =
-      0.0;                 ///< s: the next step, unless a break cuts it short; of the leapfrog family, step_
-  double lastStep_ = 0.0;  ///< s: of the step before; zero at the start
+  /// s: the next step, unless a break cuts it short; of the leapfrog family, step_
+  double wantedStep_ = 0.0;
+  /// s: see longestStep()
+  double longestStep_ = std::numeric_limits<double>::infinity();
+  double lastStep_ = 0.0;            ///< s: of the step before; zero at the start
   std::uint64_t fittedVersion_ = 0;  ///< of the activity, at the last fit of the reference
   bool latticeCounts_ = true;        ///< in the choice of the step
   static constexpr double kAnyStep = 1.0;

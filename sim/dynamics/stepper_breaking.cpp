@@ -4,9 +4,18 @@
 #include "sim/dynamics/stepper.h"
 
 namespace sim {
+namespace {
+
+/// Below this share of the squared length at which it breaks, no rounding makes a bond break.
+constexpr double kSurelyWhole = 1.0 - 1e-5;
+
+}  // namespace
 
 double Stepper::strainIn(const Motion& motion, BondIndex bond) const {
-  const NodeIndex a = network_.bondStart(bond);
+  return strainIn(motion, bond, network_.bondStart(bond));
+}
+
+double Stepper::strainIn(const Motion& motion, BondIndex bond, NodeIndex a) const {
   const NodeIndex b = network_.bondEnds[bond];
   const double length = (motion.position.get(b) - motion.position.get(a)).norm();
   return length / layout_.restLength(network_, bond) - 1.0;
@@ -18,10 +27,14 @@ std::vector<Breakage::Overstretched> Stepper::findOverstretched(const Motion& mo
   for (const std::size_t block : fragments_.activity().activeBlocks()) {
     if (!reports_[block].suspect) continue;
     const std::size_t end = std::min(network_.nodeCount(), (block + 1) * kBlockNodes);
-    for (std::size_t node = block * kBlockNodes; node < end; ++node) {
+    for (auto node = static_cast<NodeIndex>(block * kBlockNodes); node < end; ++node) {
       for (BondIndex bond = network_.firstBond[node]; bond < network_.firstBond[node + 1]; ++bond) {
         if (breakage_.bondBroken(bond)) continue;
-        const auto strain = static_cast<float>(strainIn(motion, bond));
+        const double limit =
+            layout_.restLength(network_, bond) * (1.0 + static_cast<double>(network_.thresholds[bond]));
+        const Vec3 apart = motion.position.get(network_.bondEnds[bond]) - motion.position.get(node);
+        if (apart.squaredNorm() < kSurelyWhole * limit * limit) continue;
+        const auto strain = static_cast<float>(strainIn(motion, bond, node));
         if (strain > network_.thresholds[bond]) found.push_back({bond, strain});
       }
     }

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <tuple>
 
 namespace sim {
 
@@ -30,50 +30,83 @@ Components::Components(const Network& network, const BondLayout& layout)
   }
 }
 
-/// Searches that grow in turns inside one old fragment, one a seed.
+/// Searches that grow in turns inside one old fragment, from the ends of its broken bonds. Those that meet
+/// are one group; a group that has run out of nodes is a whole component.
+///
+/// The fragment held together before, so all that is asked is whether the ends of each bond still do. Groups
+/// answer for each other, and are of one concern, if a broken bond joined them, or if searches of theirs met.
+/// A concern is settled when it has one group at most that still grows. When all are, what still grows is one
+/// component: on the old way from one growing group to another lie broken bonds and whole components only,
+/// and these make all of them one concern. So cracks that are far apart need not find each other.
 class Components::Search {
  public:
-  Search(const BondLayout& layout, std::vector<std::uint32_t>& searchOfNode, std::span<const NodeIndex> seeds)
-      : layout_(layout),
-        searchOfNode_(searchOfNode),
-        group_(seeds.size()),
-        visited_(seeds.size()),
-        next_(seeds.size(), 0) {
-    std::iota(group_.begin(), group_.end(), 0U);
-    for (std::uint32_t s = 0; s < seeds.size(); ++s) {
-      searchOfNode_[seeds[s]] = s;
-      visited_[s].push_back(seeds[s]);
+  Search(const BondLayout& layout, std::vector<std::uint32_t>& searchOfNode, std::span<const NodePair> broken)
+      : layout_(layout), searchOfNode_(searchOfNode) {
+    for (const NodePair& bond : broken) {
+      const std::uint32_t first = seedAt(bond.a);
+      joinConcerns(first, seedAt(bond.b));
     }
-    growing_ = seeds.size();
-    while (growing_ > 1) {
-      for (std::uint32_t s = 0; s < group_.size() && growing_ > 1; ++s) {
-        if (group_[s] == s && next_[s] < visited_[s].size()) expand(s);
+    while (unsettled_ > 0) {
+      for (std::uint32_t s = 0; s < group_.size() && unsettled_ > 0; ++s) {
+        if (group_[s] == s && isOpen(s) && growing_[root(concern_, s)] > 1) expand(s);
       }
     }
   }
 
-  /// The groups that are whole components and not the one that keeps the old id, each with its nodes, by
-  /// first seed.
+  /// The groups that are whole components and do not keep the old id, each with its nodes, by first seed.
   std::vector<std::vector<NodeIndex>> cutOff() {
     std::uint32_t keeper = kNone;
     for (std::uint32_t s = 0; s < group_.size(); ++s) {
       if (group_[s] != s) continue;
-      const bool unfinished = next_[s] < visited_[s].size();
-      const bool larger = keeper == kNone || visited_[s].size() > visited_[keeper].size();
-      if (unfinished || (growing_ == 0 && larger)) keeper = s;
+      if (isOpen(s)) {
+        keeper = s;
+        break;
+      }
+      if (keeper == kNone || visited_[s].size() > visited_[keeper].size()) keeper = s;
     }
     std::vector<std::vector<NodeIndex>> pieces;
     for (std::uint32_t s = 0; s < group_.size(); ++s) {
       for (const NodeIndex node : visited_[s]) searchOfNode_[node] = kNone;
-      if (group_[s] == s && s != keeper) pieces.push_back(std::move(visited_[s]));
+      if (group_[s] == s && s != keeper && !isOpen(s)) pieces.push_back(std::move(visited_[s]));
     }
     return pieces;
   }
 
  private:
-  std::uint32_t root(std::uint32_t search) {
-    while (group_[search] != search) search = group_[search] = group_[group_[search]];
-    return search;
+  static std::uint32_t root(std::vector<std::uint32_t>& forest, std::uint32_t at) {
+    while (forest[at] != at) at = forest[at] = forest[forest[at]];
+    return at;
+  }
+
+  std::uint32_t seedAt(NodeIndex node) {
+    if (searchOfNode_[node] != kNone) return searchOfNode_[node];
+    const auto seed = static_cast<std::uint32_t>(group_.size());
+    searchOfNode_[node] = seed;
+    group_.push_back(seed);
+    concern_.push_back(seed);
+    growing_.push_back(1);
+    visited_.emplace_back(1, node);
+    next_.push_back(0);
+    return seed;
+  }
+
+  /// Not yet out of nodes.
+  bool isOpen(std::uint32_t group) const { return next_[group] < visited_[group].size(); }
+
+  void count(std::uint32_t concern, std::uint32_t growing) {
+    if (growing_[concern] > 1) --unsettled_;
+    growing_[concern] = growing;
+    if (growing > 1) ++unsettled_;
+  }
+
+  void joinConcerns(std::uint32_t first, std::uint32_t second) {
+    const std::uint32_t one = root(concern_, first);
+    const std::uint32_t other = root(concern_, second);
+    if (one == other) return;
+    const std::uint32_t both = growing_[one] + growing_[other];
+    count(other, 0);
+    concern_[other] = one;
+    count(one, both);
   }
 
   /// Visits the neighbours of one node of group `s`.
@@ -81,20 +114,27 @@ class Components::Search {
     const NodeIndex node = visited_[s][next_[s]++];
     layout_.forEachNeighbour(node, [&](NodeIndex neighbour) {
       const std::uint32_t seen = searchOfNode_[neighbour];
+      const std::uint32_t own = root(group_, s);
       if (seen == kNone) {
-        const std::uint32_t own = root(s);
         searchOfNode_[neighbour] = own;
         visited_[own].push_back(neighbour);
-      } else if (root(seen) != root(s)) {
-        merge(root(seen), root(s));
+      } else if (root(group_, seen) != own) {
+        merge(root(group_, seen), own);
       }
     });
-    const std::uint32_t own = root(s);
-    if (next_[own] == visited_[own].size()) --growing_;
+    const std::uint32_t own = root(group_, s);
+    if (!isOpen(own)) closeOne(own);
+  }
+
+  void closeOne(std::uint32_t group) {
+    const std::uint32_t concern = root(concern_, group);
+    count(concern, growing_[concern] - 1);
   }
 
   /// The smaller list joins the larger. Both were growing: a finished group has no edge to another.
   void merge(std::uint32_t first, std::uint32_t second) {
+    joinConcerns(first, second);
+    closeOne(first);
     if (visited_[first].size() < visited_[second].size()) std::swap(first, second);
     group_[second] = first;
     std::vector<NodeIndex>& into = visited_[first];
@@ -106,22 +146,23 @@ class Components::Search {
     into.insert(into.end(), from.begin() + done, from.end());
     from.clear();
     next_[second] = 0;
-    --growing_;
   }
 
   const BondLayout& layout_;
   std::vector<std::uint32_t>& searchOfNode_;
   std::vector<std::uint32_t> group_;             ///< union-find over seeds
+  std::vector<std::uint32_t> concern_;           ///< union-find over seeds
+  std::vector<std::uint32_t> growing_;           ///< groups that still grow, by root of a concern
   std::vector<std::vector<NodeIndex>> visited_;  ///< expanded nodes, then open ones
   std::vector<std::size_t> next_;                ///< the first open one
-  std::size_t growing_ = 0;
+  std::size_t unsettled_ = 0;                    ///< concerns with more than one group that grows
 };
 
-bool Components::relabelOne(const BondLayout& layout, std::span<const NodeIndex> seeds, double time) {
+bool Components::relabelOne(const BondLayout& layout, std::span<const NodePair> broken, double time) {
   ++relabelings_;
   searchOfNode_.resize(fragmentOfNode_.size(), kNone);
-  const FragmentId parent = fragmentOfNode_[seeds.front()];
-  Search search(layout, searchOfNode_, seeds);
+  const FragmentId parent = fragmentOfNode_[broken.front().a];
+  Search search(layout, searchOfNode_, broken);
   const auto pieces = search.cutOff();
   for (const std::vector<NodeIndex>& piece : pieces) {
     const auto id = static_cast<FragmentId>(births_.size());
@@ -133,23 +174,19 @@ bool Components::relabelOne(const BondLayout& layout, std::span<const NodeIndex>
 }
 
 bool Components::relabel(const BondLayout& layout, std::span<const BreakEvent> events, double time) {
-  std::vector<NodeIndex> ends;
-  ends.reserve(2 * events.size());
-  for (const BreakEvent& event : events) {
-    ends.push_back(event.a);
-    ends.push_back(event.b);
-  }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::stable_sort(ends.begin(), ends.end(),
-                   [&](NodeIndex left, NodeIndex right) { return of(left) < of(right); });
+  std::vector<NodePair> broken;
+  broken.reserve(events.size());
+  for (const BreakEvent& event : events) broken.push_back({event.a, event.b});
+  std::sort(broken.begin(), broken.end(), [&](const NodePair& left, const NodePair& right) {
+    return std::tuple(of(left.a), left.a, left.b) < std::tuple(of(right.a), right.a, right.b);
+  });
   bool born = false;
-  for (std::size_t first = 0; first < ends.size();) {
+  for (std::size_t first = 0; first < broken.size();) {
     std::size_t last = first + 1;
-    while (last < ends.size() && of(ends[last]) == of(ends[first])) ++last;
+    while (last < broken.size() && of(broken[last].a) == of(broken[first].a)) ++last;
     // Labels change while this runs, but only from the fragment just treated to newborn ones behind all
     // others.
-    born |= relabelOne(layout, std::span(ends).subspan(first, last - first), time);
+    born |= relabelOne(layout, std::span(broken).subspan(first, last - first), time);
     first = last;
   }
   return born;

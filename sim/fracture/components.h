@@ -19,8 +19,8 @@ struct FragmentBirth {
 };
 
 /// Which fragment each node belongs to. After breaks only the parts that came off are visited: from both ends
-/// of every broken bond searches grow in turns, those that meet become one, and as soon as all but one have
-/// run out of nodes, those that ran out are the new fragments; the one still growing keeps the old id.
+/// of every broken bond searches grow in turns until they meet, or one of them has run out of nodes. Those
+/// that ran out are the new fragments; what could still grow keeps the old id.
 class Components {
  public:
   /// Labels the whole network: ids in order of each component's first node.
@@ -46,7 +46,11 @@ class Components {
 
  private:
   class Search;
-  bool relabelOne(const BondLayout& layout, std::span<const NodeIndex> seeds, double time);
+  struct NodePair {
+    NodeIndex a, b;
+  };
+  /// The broken bonds are of one fragment.
+  bool relabelOne(const BondLayout& layout, std::span<const NodePair> broken, double time);
 
   std::vector<FragmentId> fragmentOfNode_;
   std::vector<FragmentBirth> births_;

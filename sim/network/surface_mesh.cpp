@@ -179,6 +179,7 @@ void addCellFaces(const Network& network, const Snapshot& moment, const std::vec
     face.material = cellMaterial(network, cell);
     face.part = cellPart(network, cell, face.material);
     face.fragment = moment.fragmentOfNode[cell[0]];
+    face.cell = faces[f].cell;
     mesh.faces.push_back(face);
   }
 }

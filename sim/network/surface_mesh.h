@@ -17,6 +17,7 @@ struct SurfaceMesh {
     MaterialIndex material = 0;
     PartIndex part = 0;
     FragmentId fragment = kNone;
+    CellIndex cell = kNone;  ///< whose face it is; kNone for the shards
   };
   std::vector<Vec3> points;            ///< cm
   std::vector<Vec3> restPoints;        ///< where each point is in the network at rest: what grain sticks to

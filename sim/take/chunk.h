@@ -21,6 +21,7 @@ enum class ChunkKind : std::uint32_t {
   frame = 5,
   checkpoint = 6,  ///< of the frame before it
   outcome = 7,     ///< how the run ended
+  change = 8,      ///< a frame that says only what is other than in a whole frame before it
 };
 
 struct ChunkHeader {

@@ -39,6 +39,7 @@ class FileTakeReader final : public TakeReader {
  private:
   FileTakeReader(TakeFile file, TakeIndex index) : file_(std::move(file)), index_(std::move(index)) {}
   Status readBeginning();
+  Result<Snapshot> snapshotAt(const TakeIndex::Frame& place) const;
   Problem damaged(const std::string& what, const std::string& remedy) const;
   Problem noSuchFrame(std::size_t frame) const;
   /// What to do where this frame's checkpoint can't be had.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "sim/take/planes.h"
 
@@ -75,17 +76,67 @@ void readBreakage(ByteReader& reader, const NetworkSize& size, Snapshot& snapsho
   readColumn(reader, snapshot.fragments, &Fragment::mass);
 }
 
-void readFrame(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
+void readMoment(ByteReader& reader, Snapshot& snapshot) {
   reader.read(snapshot.time);
   reader.read(snapshot.stepCount);
   readLedger(reader, snapshot.ledger);
+}
+
+void readMotion(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
   readPlanes(reader, snapshot.positions, size.nodes);
   readPlanes(reader, snapshot.velocities, size.nodes);
+}
+
+void readFragments(ByteReader& reader, Snapshot& snapshot) {
   readColumn(reader, snapshot.fragments, &Fragment::centre);
   readColumn(reader, snapshot.fragments, &Fragment::velocity);
   readColumn(reader, snapshot.fragments, &Fragment::boxMin);
   readColumn(reader, snapshot.fragments, &Fragment::boxMax);
   readColumn(reader, snapshot.fragments, &Fragment::state);
+}
+
+void readFrame(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
+  readMoment(reader, snapshot);
+  readMotion(reader, size, snapshot);
+  readFragments(reader, snapshot);
+}
+
+/// Over positions and velocities of the whole frame.
+void readChange(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
+  std::uint64_t whole = 0;
+  std::vector<std::uint8_t> changed;
+  reader.read(whole);
+  readMoment(reader, snapshot);
+  if (!readFlags(reader, changed, size.nodes)) return;
+  const auto count = static_cast<std::size_t>(std::ranges::count(changed, std::uint8_t{1}));
+  std::vector<Vec3> positions;
+  std::vector<Vec3> velocities;
+  if (!readPlanes(reader, positions, count) || !readPlanes(reader, velocities, count)) return;
+  std::size_t next = 0;
+  for (std::size_t node = 0; node < size.nodes; ++node) {
+    if (changed[node] == 0) continue;
+    snapshot.positions[node] = positions[next];
+    snapshot.velocities[node] = velocities[next++];
+  }
+  readFragments(reader, snapshot);
+}
+
+void putMoment(ByteWriter& writer, const Snapshot& snapshot) {
+  writer.put(snapshot.time);
+  writer.put(snapshot.stepCount);
+  putLedger(writer, snapshot.ledger);
+}
+
+void putFragments(ByteWriter& writer, const Snapshot& snapshot) {
+  putColumn(writer, snapshot.fragments, &Fragment::centre);
+  putColumn(writer, snapshot.fragments, &Fragment::velocity);
+  putColumn(writer, snapshot.fragments, &Fragment::boxMin);
+  putColumn(writer, snapshot.fragments, &Fragment::boxMax);
+  putColumn(writer, snapshot.fragments, &Fragment::state);
+}
+
+bool sameBits(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(Vec3)) == 0;
 }
 
 std::optional<std::string> faultOfFragments(const NetworkSize& size, const Snapshot& snapshot) {
@@ -144,17 +195,48 @@ ByteWriter encodeBreakage(const Snapshot& snapshot) {
 
 ByteWriter encodeFrame(const Snapshot& snapshot) {
   ByteWriter writer;
-  writer.put(snapshot.time);
-  writer.put(snapshot.stepCount);
-  putLedger(writer, snapshot.ledger);
+  putMoment(writer, snapshot);
   putPlanes(writer, snapshot.positions);
   putPlanes(writer, snapshot.velocities);
-  putColumn(writer, snapshot.fragments, &Fragment::centre);
-  putColumn(writer, snapshot.fragments, &Fragment::velocity);
-  putColumn(writer, snapshot.fragments, &Fragment::boxMin);
-  putColumn(writer, snapshot.fragments, &Fragment::boxMax);
-  putColumn(writer, snapshot.fragments, &Fragment::state);
+  putFragments(writer, snapshot);
   return writer;
+}
+
+std::vector<std::uint8_t> changedNodes(const Snapshot& snapshot, const WholeFrame& whole) {
+  std::vector<std::uint8_t> changed(snapshot.positions.size(), 1);
+  if (whole.positions.size() != changed.size()) return changed;
+  for (std::size_t node = 0; node < changed.size(); ++node) {
+    if (sameBits(snapshot.positions[node], whole.positions[node]) &&
+        sameBits(snapshot.velocities[node], whole.velocities[node]))
+      changed[node] = 0;
+  }
+  return changed;
+}
+
+ByteWriter encodeChange(const Snapshot& snapshot, std::uint64_t whole,
+                        const std::vector<std::uint8_t>& changed) {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> velocities;
+  for (std::size_t node = 0; node < changed.size(); ++node) {
+    if (changed[node] == 0) continue;
+    positions.push_back(snapshot.positions[node]);
+    velocities.push_back(snapshot.velocities[node]);
+  }
+  ByteWriter writer;
+  writer.put(whole);
+  putMoment(writer, snapshot);
+  putFlags(writer, changed);
+  putPlanes(writer, positions);
+  putPlanes(writer, velocities);
+  putFragments(writer, snapshot);
+  return writer;
+}
+
+std::optional<std::uint64_t> wholeFrameOf(std::span<const std::byte> change) {
+  ByteReader reader(change);
+  std::uint64_t whole = 0;
+  if (!reader.read(whole)) return std::nullopt;
+  return whole;
 }
 
 Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> frame,
@@ -166,6 +248,24 @@ Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::by
   ByteReader frameReader(frame);
   readFrame(frameReader, size, snapshot);
   if (!frameReader.finished()) return Problem{"", "its record of what moves is damaged", ""};
+  if (const auto fault = faultOf(size, snapshot)) return Problem{"", *fault, ""};
+  return snapshot;
+}
+
+Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> change,
+                                std::span<const std::byte> whole, std::span<const std::byte> breakage) {
+  Snapshot snapshot;
+  ByteReader breakageReader(breakage);
+  readBreakage(breakageReader, size, snapshot);
+  if (!breakageReader.finished()) return Problem{"", "its record of what is broken is damaged", ""};
+  // What follows in the whole frame is of fragments as they were then.
+  ByteReader wholeReader(whole);
+  readMoment(wholeReader, snapshot);
+  readMotion(wholeReader, size, snapshot);
+  if (!wholeReader.ok()) return Problem{"", "the frame it leans on is damaged", ""};
+  ByteReader changeReader(change);
+  readChange(changeReader, size, snapshot);
+  if (!changeReader.finished()) return Problem{"", "its record of what moves is damaged", ""};
   if (const auto fault = faultOf(size, snapshot)) return Problem{"", *fault, ""};
   return snapshot;
 }

@@ -30,10 +30,26 @@ struct NetworkSize {
 
 ByteWriter encodeBreakage(const Snapshot& snapshot);
 ByteWriter encodeFrame(const Snapshot& snapshot);
+
+/// How nodes stand and move in a whole frame, which later ones may lean on.
+struct WholeFrame {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> velocities;
+};
+/// One flag a node: position or velocity is other than there, by any bit.
+std::vector<std::uint8_t> changedNodes(const Snapshot& snapshot, const WholeFrame& whole);
+/// The frame with the changed nodes alone. `whole`: the sequence of the chunk it leans on.
+ByteWriter encodeChange(const Snapshot& snapshot, std::uint64_t whole,
+                        const std::vector<std::uint8_t>& changed);
+/// What a change begins with; nothing where it is too short.
+std::optional<std::uint64_t> wholeFrameOf(std::span<const std::byte> change);
 /// What comes back has arrays of the network's sizes and passes faultOf(). Flags of broken bonds and cells
 /// come back as 0 or 1.
 Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> frame,
                                 std::span<const std::byte> breakage);
+/// The same of a change and the whole frame it leans on.
+Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> change,
+                                std::span<const std::byte> whole, std::span<const std::byte> breakage);
 
 ByteWriter encodeEvents(const std::vector<BreakEvent>& events);
 /// Every index that comes back is in the network.

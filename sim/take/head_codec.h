@@ -13,8 +13,8 @@ namespace sim {
 // Contents of the two chunks every take begins with. Problems say what is wrong and have no place: the caller
 // knows the file.
 
-/// Version of the whole layout; readers refuse a newer one.
-inline constexpr std::uint32_t kTakeVersion = 1;
+/// Version of the whole layout; readers refuse a newer one. 2 has changes in place of frames.
+inline constexpr std::uint32_t kTakeVersion = 2;
 
 ByteWriter encodeHead(const TakeHeader& header);
 Result<TakeHeader> decodeHead(std::span<const std::byte> content);

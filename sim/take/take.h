@@ -41,6 +41,10 @@ class TakeWriter {
   /// The snapshot must be of the take's network, not before the last frame in time, and each node's fragment
   /// among its fragments; flags of broken bonds and cells other than 0 are read back as 1.
   virtual Status appendFrame(const Snapshot& frame, const std::vector<BreakEvent>& eventsSinceLastFrame) = 0;
+  /// Nodes that stand and move, to the bit, as in a frame before are left out, unless this says otherwise.
+  virtual void leaveOutUnmoved(bool leaveOut) = 0;
+  /// Nodes left out of the frames appended so far.
+  virtual std::uint64_t nodesLeftOut() const = 0;
   /// A checkpoint belongs to the frame appended last; the last one given counts.
   virtual Status appendCheckpoint(const std::vector<std::byte>& checkpoint) = 0;
   /// Notes that the run ended, and how ("done", or the line of the Problem that stopped it), and returns when
@@ -49,7 +53,7 @@ class TakeWriter {
 };
 
 /// Random access to a take, as it was when opened. Reading a frame reads and checks that frame's chunks only
-/// (at most two). Where the file is damaged, frames are numbered as if what can't be found had never been
+/// (at most three). Where the file is damaged, frames are numbered as if what can't be found had never been
 /// there; chunks that are found but damaged inside are Problems when they are read. Thread-safe.
 class TakeReader {
  public:

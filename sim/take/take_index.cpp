@@ -79,14 +79,6 @@ void dropDamagedTail(const TakeFile& file, std::vector<TakeIndex::Chunk>& chunks
   }
 }
 
-std::size_t chunkOfSequence(const TakeIndex& index, std::uint64_t sequence, ChunkKind kind) {
-  const auto sequenceOf = [](const TakeIndex::Chunk& chunk) { return chunk.header.sequence; };
-  const auto found = std::ranges::lower_bound(index.chunks, sequence, {}, sequenceOf);
-  if (found == index.chunks.end() || sequenceOf(*found) != sequence || found->header.kind != kind)
-    return TakeIndex::kNoChunk;
-  return static_cast<std::size_t>(found - index.chunks.begin());
-}
-
 /// Puts chunks together to frames. Events and breakage precede their frame in the file, so that the frame's
 /// chunk seals them: without it they are the remains of an append that was cut short.
 class Assembly {
@@ -100,6 +92,7 @@ class Assembly {
         index_.eventChunks.push_back(chunk);
         return;
       case ChunkKind::frame:
+      case ChunkKind::change:
         return addFrame(chunk);
       case ChunkKind::checkpoint:
         if (!index_.frames.empty() && lastFrame().frame == header.frame) {
@@ -140,6 +133,14 @@ class Assembly {
 };
 
 }  // namespace
+
+std::size_t chunkOfSequence(const TakeIndex& index, std::uint64_t sequence, ChunkKind kind) {
+  const auto sequenceOf = [](const TakeIndex::Chunk& chunk) { return chunk.header.sequence; };
+  const auto found = std::ranges::lower_bound(index.chunks, sequence, {}, sequenceOf);
+  if (found == index.chunks.end() || sequenceOf(*found) != sequence || found->header.kind != kind)
+    return TakeIndex::kNoChunk;
+  return static_cast<std::size_t>(found - index.chunks.begin());
+}
 
 Result<TakeIndex> scanTake(const TakeFile& file) {
   TakeIndex index;

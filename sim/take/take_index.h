@@ -39,6 +39,9 @@ struct TakeIndex {
   std::uint64_t droppedBytes = 0;
 };
 
+/// The chunk of that sequence, if it is there and of that kind; else kNoChunk.
+std::size_t chunkOfSequence(const TakeIndex& index, std::uint64_t sequence, ChunkKind kind);
+
 /// Scans the file. Where no chunk begins that could, it goes on at the next place where one does. A Problem
 /// when the file doesn't begin with head and network.
 Result<TakeIndex> scanTake(const TakeFile& file);

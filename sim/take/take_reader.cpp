@@ -72,16 +72,29 @@ double FileTakeReader::frameTime(std::size_t frame) const {
   return index_.chunks[index_.frames[frame].chunk].header.time;
 }
 
+Result<Snapshot> FileTakeReader::snapshotAt(const TakeIndex::Frame& place) const {
+  const Problem lost{"", "its record cannot be read", ""};
+  const auto frame = content(place.chunk);
+  const auto breakage = content(place.breakage);
+  if (!frame || !breakage) return lost;
+  if (index_.chunks[place.chunk].header.kind == ChunkKind::frame)
+    return decodeSnapshot(size_, *frame, *breakage);
+  const auto sequence = wholeFrameOf(*frame);
+  const std::size_t chunk =
+      sequence ? chunkOfSequence(index_, *sequence, ChunkKind::frame) : TakeIndex::kNoChunk;
+  if (chunk == TakeIndex::kNoChunk) return Problem{"", "the frame it leans on is lost", ""};
+  const auto whole = content(chunk);
+  if (!whole) return lost;
+  return decodeSnapshot(size_, *frame, *whole, *breakage);
+}
+
 Result<SnapshotPointer> FileTakeReader::frame(std::size_t index) const {
   const std::string remedy = "use the frames before or after it";
   if (index >= frameCount()) return noSuchFrame(index);
   const TakeIndex::Frame& place = index_.frames[index];
   if (place.breakage == TakeIndex::kNoChunk)
     return damaged("what was broken in " + numbered(index) + " is lost", remedy);
-  const auto frame = content(place.chunk);
-  const auto breakage = content(place.breakage);
-  if (!frame || !breakage) return damaged(numbered(index) + " is damaged", remedy);
-  auto snapshot = decodeSnapshot(size_, *frame, *breakage);
+  auto snapshot = snapshotAt(place);
   if (!snapshot) return damaged(numbered(index) + " is damaged: " + snapshot.problem().what, remedy);
   return std::make_shared<const Snapshot>(std::move(snapshot).value());
 }

@@ -13,6 +13,11 @@
 namespace sim {
 namespace {
 
+/// A frame that leans on a whole one is lost with it: not more than these are. Half a second at 48 a second.
+constexpr std::uint64_t kFramesPerWhole = 24;
+/// Nodes that must be unmoved, one in so many, to be worth a second chunk to read.
+constexpr std::size_t kWorthLeaving = 8;
+
 /// What the next append has to know of those before it.
 struct Progress {
   std::uint64_t nextSequence = 0;
@@ -21,6 +26,10 @@ struct Progress {
   /// The breakage stored last, as encoded, and its chunk: kNoBase before the first.
   std::vector<std::byte> breakage;
   std::uint64_t breakageSequence = ChunkHeader::kNoBase;
+  /// The last whole frame, its chunk and its number.
+  WholeFrame whole;
+  std::uint64_t wholeSequence = ChunkHeader::kNoBase;
+  std::uint64_t wholeNumber = 0;
 };
 
 class FileTakeWriter final : public TakeWriter {
@@ -31,8 +40,12 @@ class FileTakeWriter final : public TakeWriter {
   Status appendFrame(const Snapshot& frame, const std::vector<BreakEvent>& eventsSinceLastFrame) override;
   Status appendCheckpoint(const std::vector<std::byte>& checkpoint) override;
   Status finish(const std::string& outcome) override;
+  void leaveOutUnmoved(bool leaveOut) override { leaveOut_ = leaveOut; }
+  std::uint64_t nodesLeftOut() const override { return nodesLeftOut_; }
 
  private:
+  /// One flag a node: it must be in this frame. Empty: the frame must be whole.
+  std::vector<std::uint8_t> nodesToRecord(const Snapshot& frame) const;
   Problem refusal(const std::string& what) const { return Problem{file_.path().string(), what, ""}; }
   Status appendOne(ChunkKind kind, std::uint64_t frame, std::span<const std::byte> content);
 
@@ -40,7 +53,19 @@ class FileTakeWriter final : public TakeWriter {
   NetworkSize size_;
   Progress progress_;
   bool finished_ = false;
+  bool leaveOut_ = true;
+  std::uint64_t nodesLeftOut_ = 0;
 };
+
+std::vector<std::uint8_t> FileTakeWriter::nodesToRecord(const Snapshot& frame) const {
+  const bool leans = leaveOut_ && progress_.wholeSequence != ChunkHeader::kNoBase &&
+                     progress_.nextFrame - progress_.wholeNumber < kFramesPerWhole;
+  if (!leans) return {};
+  std::vector<std::uint8_t> changed = changedNodes(frame, progress_.whole);
+  const auto unmoved = static_cast<std::size_t>(std::ranges::count(changed, std::uint8_t{0}));
+  if (kWorthLeaving * unmoved < changed.size() || changed.empty()) return {};
+  return changed;
+}
 
 Status FileTakeWriter::appendFrame(const Snapshot& frame,
                                    const std::vector<BreakEvent>& eventsSinceLastFrame) {
@@ -70,9 +95,20 @@ Status FileTakeWriter::appendFrame(const Snapshot& frame,
   if (broken) breakageSequence = put(ChunkKind::breakage, breakage.bytes());
   if (!eventsSinceLastFrame.empty()) put(ChunkKind::events, encodeEvents(eventsSinceLastFrame).bytes());
   header.base = breakageSequence;
-  put(ChunkKind::frame, encodeFrame(frame).bytes());
+  const std::vector<std::uint8_t> changed = nodesToRecord(frame);
+  if (changed.empty()) {
+    put(ChunkKind::frame, encodeFrame(frame).bytes());
+  } else {
+    put(ChunkKind::change, encodeChange(frame, progress_.wholeSequence, changed).bytes());
+  }
   if (Status appended = file_.append(out.bytes()); !appended) return appended;
 
+  if (changed.empty()) {
+    progress_.whole = {frame.positions, frame.velocities};
+    progress_.wholeSequence = header.sequence;
+    progress_.wholeNumber = progress_.nextFrame;
+  }
+  nodesLeftOut_ += static_cast<std::uint64_t>(std::ranges::count(changed, std::uint8_t{0}));
   progress_.nextSequence = sequence;
   ++progress_.nextFrame;
   progress_.lastTime = frame.time;
@@ -110,6 +146,26 @@ Status FileTakeWriter::finish(const std::string& outcome) {
   return file_.sync();
 }
 
+/// The whole frame that the next one may lean on: this one, or the one that it leans on.
+Status findWhole(const FileTakeReader& reader, std::size_t frame, Progress& progress) {
+  const TakeIndex& index = reader.index();
+  std::size_t chunk = index.frames[frame].chunk;
+  if (index.chunks[chunk].header.kind == ChunkKind::change) {
+    const auto content = reader.content(chunk);
+    const auto sequence = content ? wholeFrameOf(*content) : std::nullopt;
+    chunk = sequence ? chunkOfSequence(index, *sequence, ChunkKind::frame) : TakeIndex::kNoChunk;
+  }
+  const auto place = std::ranges::find(index.frames, chunk, &TakeIndex::Frame::chunk);
+  // Then the next frame is whole.
+  if (place == index.frames.end()) return Done{};
+  const auto whole = reader.frame(static_cast<std::size_t>(place - index.frames.begin()));
+  if (!whole) return whole.problem();
+  progress.whole = {(*whole)->positions, (*whole)->velocities};
+  progress.wholeSequence = index.chunks[chunk].header.sequence;
+  progress.wholeNumber = index.chunks[chunk].header.frame;
+  return Done{};
+}
+
 /// Where to go on after a frame, once all that is to be kept of it is seen to be intact.
 Result<Progress> progressAfter(const FileTakeReader& reader, std::size_t frame) {
   if (const auto snapshot = reader.frame(frame); !snapshot) return snapshot.problem();
@@ -123,6 +179,7 @@ Result<Progress> progressAfter(const FileTakeReader& reader, std::size_t frame) 
   progress.lastTime = frameHeader.time;
   progress.breakage = reader.content(place.breakage).value_or(std::vector<std::byte>());
   progress.breakageSequence = frameHeader.base;
+  if (const Status found = findWhole(reader, frame, progress); !found) return found.problem();
   return progress;
 }
 

@@ -184,9 +184,18 @@ TEST_CASE("a run that cannot begin leaves an older take alone") {
   CHECK(std::filesystem::file_size(folder.file("run.take")) == size);
 }
 
-TEST_CASE("a blow-up ends with status 1, names its cause, and keeps what was recorded") {
+TEST_CASE("a step that cannot be stable is refused before anything is recorded") {
   const PlateFolder folder;
   const auto answer = simulate(folder, "run", "--step 2e-3");
+  INFO(answer.errors);
+  CHECK(answer.status == 2);
+  CHECK(answer.errors.find("solver.step:1:1: the step is longer than ") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.file("run.take")));
+}
+
+TEST_CASE("a blow-up ends with status 1, names its cause, and keeps what was recorded") {
+  const PlateFolder folder;
+  const auto answer = simulate(folder, "run", "--set parts.plate.velocity=[0,0,-4e10]");  // light: 3e10
   INFO(answer.errors);
   CHECK(answer.status == 1);
   CHECK(answer.errors.find("biscuit") != std::string::npos);

@@ -76,7 +76,8 @@ inline const std::string kFullScene = R"({
              "contact": {"between": false, "self": true, "length": "sum", "stiffnessScale": 0.5, "dampingRatio": 0.2,
                          "friction": 0.1}},
   "output": {"fps": 30, "duration": 1.5},
-  "view": {"camera": {"position": [1, 2, 3], "target": [0, 0, 5], "fieldOfView": 40}}
+  "view": {"camera": {"position": [1, 2, 3], "target": [0, 0, 5], "fieldOfView": 40}, "hidden": ["cup"],
+           "locked": ["floor", "cup"]}
 }
 )";
 

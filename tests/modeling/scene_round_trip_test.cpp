@@ -58,6 +58,8 @@ TEST_CASE("no value of the full scene is left behind") {
   CHECK(scene.tracks[4].target.object == "ball");
   CHECK(scene.solver.seed == 18446744073709551615U);
   CHECK(scene.solver.step.seconds == 2e-6);
+  CHECK(scene.view.hidden == std::vector<std::string>{"cup"});
+  CHECK(scene.view.locked == std::vector<std::string>{"floor", "cup"});
 }
 
 std::string textOf(const std::string& file) {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/dynamics/ledger.h"
 #include "tests/support/spring_network.h"
 
 namespace {
@@ -16,8 +17,8 @@ void checkFinite(const sim::Simulation& simulation) {
   CHECK(snapshot.ledger.angularMomentum.allFinite());
 }
 
-/// A quiet lower block and a stiffer upper one, far apart.
-sim::Blueprint softAndStiff() {
+/// A quiet lower block and a stiffer upper one, far apart, of which one node has this speed.
+sim::Blueprint softAndStiff(double speed) {
   tests::Block soft{.youngsModulus = 1e4};
   soft.material.name = "jelly";
   tests::Block stiff{.youngsModulus = 1e8};
@@ -26,27 +27,20 @@ sim::Blueprint softAndStiff() {
   sim::Blueprint blueprint = tests::block(soft);
   tests::append(blueprint, tests::block(stiff));
   blueprint.partNames = {"below", "above"};
-  blueprint.nodes.back().velocity.x() = 1.0;
+  blueprint.nodes.back().velocity.x() = speed;
   return blueprint;
 }
 
-TEST_CASE("a step far too long is found, and the problem names node, part and material") {
-  // From hardly unstable to absurd, with and without damping.
-  const double factor = GENERATE(1.5, 3.0, 30.0, 1e4, 1e8);
+TEST_CASE("what gets faster than light is found, and the problem names node, part and material") {
+  const double speed = GENERATE(4e10, 1e20, 1e100);
   const auto method =
-      GENERATE(sim::Method::velocityVerlet, sim::Method::symplecticEuler, sim::Method::forwardEuler);
-  INFO(factor << " " << sim::nameOf(method));
+      GENERATE(sim::Method::velocityVerlet, sim::Method::symplecticEuler, sim::Method::rungeKutta);
+  INFO(speed << " " << sim::nameOf(method));
   sim::Settings settings = tests::losslessSettings();
-  const double stable = tests::simulation(softAndStiff(), settings)->step() / settings.safety;
-  settings.step = factor * stable;
   settings.method = method;
-  const auto wild = tests::simulation(softAndStiff(), settings);
-  sim::Status status = sim::Done{};
-  int steps = 0;
-  for (; status.ok() && steps < 1000; ++steps) {
-    status = wild->stepOnce();
-    checkFinite(*wild);
-  }
+  const auto wild = tests::simulation(softAndStiff(speed), settings);
+  const sim::Status status = wild->stepOnce();
+  checkFinite(*wild);
   REQUIRE_FALSE(status.ok());
   const std::string line = status.problem().line();
   INFO(line);
@@ -57,13 +51,24 @@ TEST_CASE("a step far too long is found, and the problem names node, part and ma
   CHECK(status.problem().place.find("t = ") == 0);
 }
 
-TEST_CASE("a step just too long is found before the frame is over") {
-  sim::Settings settings = tests::losslessSettings();
-  const double stable = tests::simulation(softAndStiff(), settings)->step() / settings.safety;
-  settings.step = 1.05 * stable;
-  const auto wild = tests::simulation(softAndStiff(), settings);
-  CHECK_FALSE(wild->advanceTo(1.0 / 24.0).ok());
-  checkFinite(*wild);
+TEST_CASE(
+    "far more energy than there was to have is a blow-up, and a rise counts only where all energy rises") {
+  const sim::Network pair = tests::built(tests::twoNodes({}));
+  sim::Ledger ledger(pair);
+  const auto row = [](double kinetic) {
+    sim::LedgerRow made;
+    made.energy.kinetic = kinetic;
+    return made;
+  };
+  ledger.begin(row(2.0), 1.5);
+  CHECK(ledger.watch(row(2.2), 1.5));
+  CHECK(ledger.maxRise() == 0.0);
+  CHECK(ledger.watch(row(2.0), 1.9));
+  CHECK(ledger.maxRise() == 0.0);
+  CHECK(ledger.watch(row(4.0), 2.5));
+  CHECK(ledger.maxRise() == Approx(1.0 / 4.0));
+  CHECK_FALSE(ledger.watch(row(21.0), 20.0));
+  CHECK_FALSE(ledger.watch(row(std::nan("")), 1.0));
 }
 
 TEST_CASE("a run that is only lively is not taken for a blow-up") {

@@ -174,15 +174,16 @@ TEST_CASE("blocks that break each other never raise the energy, and keep their m
 
 TEST_CASE("every method gives the same bits on any number of threads, and when resumed") {
   const Method method = anyMethod().method;
-  INFO(sim::nameOf(method));
-  const auto whole = tests::crash({.method = method});
+  const auto precision = GENERATE(sim::Precision::float64, sim::Precision::float32);
+  INFO(sim::nameOf(method) << " " << sim::nameOf(precision));
+  const auto whole = tests::crash({.method = method, .precision = precision});
   constexpr double kUntil = 0.0008;
   tests::run(*whole, kUntil);
   REQUIRE(whole->brokenBondCount() > 20);
-  const auto first = tests::crash({.threads = 2, .method = method});
+  const auto first = tests::crash({.threads = 2, .method = method, .precision = precision});
   const std::uint64_t cut = whole->stepCount() / 2;
   for (std::uint64_t n = 0; n < cut; ++n) REQUIRE(first->stepOnce().ok());
-  const auto resumed = tests::crash({.threads = 3, .method = method});
+  const auto resumed = tests::crash({.threads = 3, .method = method, .precision = precision});
   REQUIRE(resumed->restore(first->checkpoint()).ok());
   tests::run(*resumed, kUntil);
   CHECK(resumed->stateHash() == whole->stateHash());

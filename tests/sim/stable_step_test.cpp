@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
@@ -96,13 +98,17 @@ TEST_CASE("held nodes and nothing to swing are no trouble") {
   CHECK(still->snapshot().ledger.energy.mechanical() == 0.0);
 }
 
+double longestStep(const sim::Network& network, sim::Method method) {
+  return sim::stableStep(sim::measureSpectrum(network), {}, method, 1.0);
+}
+
 /// Energy in the end, relative to the start, of a pair that swings for a thousand steps of `share` of the
 /// stable step.
 double growth(sim::Method method, double damping, double share) {
   sim::Settings settings = tests::losslessSettings();
   settings.method = method;
   const sim::Blueprint pair = tests::twoNodes({.stiffness = 1e5, .damping = damping, .distance = 1.0 + 1e-6});
-  settings.step = share * tests::simulation(pair, settings)->step() / settings.safety;
+  settings.step = share * longestStep(tests::built(pair), method);
   const auto swing = tests::simulation(pair, settings);
   const double start = swing->snapshot().ledger.energy.elastic;
   for (int n = 0; n < 1000; ++n) {
@@ -113,27 +119,150 @@ double growth(sim::Method method, double damping, double share) {
   return swing->snapshot().ledger.energy.mechanical() / start;
 }
 
+/// By what a damped swing x'' = -omega^2 x - rate x' grows a step at most, as each method is defined.
+double factorOf(sim::Method method, double omega, double rate, double step) {
+  Eigen::Matrix2d motion;
+  motion << 0.0, step, -step * omega * omega, -step * rate;
+  const Eigen::Matrix2d same = Eigen::Matrix2d::Identity();
+  Eigen::Matrix2d once = same + motion;
+  if (method == sim::Method::rungeKutta) {
+    once = same + motion * (same + motion * (same + motion * (same + motion / 4.0) / 3.0) / 2.0);
+  } else if (method != sim::Method::forwardEuler) {
+    once.row(0) = Eigen::RowVector2d(1.0, 0.0) + step * once.row(1);
+  }
+  return once.eigenvalues().cwiseAbs().maxCoeff();
+}
+
 TEST_CASE("the stable step is the longest there is") {
   // Undamped, lightly, critically and far beyond: m sqrt(2 k / m) = 450 g/s is critical.
   const double damping = GENERATE(0.0, 10.0, 450.0, 2e4);
-  const auto method =
-      GENERATE(sim::Method::velocityVerlet, sim::Method::symplecticEuler, sim::Method::rungeKutta);
+  const auto method = GENERATE(sim::Method::forwardEuler, sim::Method::velocityVerlet,
+                               sim::Method::symplecticEuler, sim::Method::rungeKutta);
+  if (method == sim::Method::forwardEuler && damping == 0.0) return;
   INFO(damping << " " << sim::nameOf(method));
+  sim::Spectrum spectrum;
+  spectrum.highestFrequency = std::sqrt(2e5);
+  spectrum.longestDamping = spectrum.shortestDamping = damping / 1e5;
+  const double step = sim::stableStep(spectrum, {}, method, 1.0);
+  CHECK(factorOf(method, std::sqrt(2e5), 2.0 * damping, 0.999 * step) <= 1.0 + 1e-12);
+  // Forward Euler's bound is the least of d / k and what symplectic Euler can do, which strong dampers make
+  // too careful.
+  if (method != sim::Method::forwardEuler || damping < 450.0)
+    CHECK(factorOf(method, std::sqrt(2e5), 2.0 * damping, 1.01 * step) > 1.0 + 1e-6);
   // The energy of a steady swing goes up and down by 1 / (1 - 0.9^2) = 5.3 with Verlet, and by 1.8 / 0.2 = 9
   // at 0.8 with symplectic Euler, whose position and velocity are half a step apart.
   CHECK(growth(method, damping, method == sim::Method::symplecticEuler ? 0.8 : 0.9) < 9.1);
-  CHECK(growth(method, damping, 1.01) > 1e6);
+}
+
+TEST_CASE("a fixed step longer than any that is stable is refused, and the longest named") {
+  const auto method = GENERATE(sim::Method::forwardEuler, sim::Method::velocityVerlet,
+                               sim::Method::symplecticEuler, sim::Method::rungeKutta);
+  INFO(sim::nameOf(method));
+  const sim::Network pair = tests::built(tests::twoNodes({.damping = 1.0}));
+  const double longest = longestStep(pair, method);
+  sim::Settings settings = tests::losslessSettings();
+  settings.method = method;
+  settings.step = 0.999 * longest;
+  CHECK(sim::Simulation::create(pair, tests::weightless(), {}, settings).ok());
+  settings.step = 1.001 * longest;
+  const auto refused = sim::Simulation::create(pair, tests::weightless(), {}, settings);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.problem().place == "solver.step");
+  const std::string line = refused.problem().line();
+  INFO(line);
+  const auto number = line.find("longer than ");
+  REQUIRE(number != std::string::npos);
+  CHECK(std::stod(line.substr(number + 12)) == Approx(longest).epsilon(1e-3));
+}
+
+TEST_CASE("any fixed step will do for an implicit method") {
+  sim::Settings settings = tests::losslessSettings();
+  settings.method = GENERATE(sim::Method::implicitEuler, sim::Method::implicitMidpoint);
+  settings.step = 1.0;
+  CHECK(tests::simulation(tests::twoNodes({}), settings)->step() == 1.0);
 }
 
 TEST_CASE("forward Euler needs damping, and a step of at most d / k") {
   sim::Settings settings = tests::losslessSettings();
   settings.method = sim::Method::forwardEuler;
-  const auto undamped =
-      sim::Simulation::create(tests::built(tests::twoNodes({})), tests::weightless(), {}, settings);
-  REQUIRE_FALSE(undamped.ok());
-  CHECK(undamped.problem().place == "solver.method");
-  CHECK(growth(sim::Method::forwardEuler, 10.0, 0.98) < 1.0);
-  CHECK(growth(sim::Method::forwardEuler, 10.0, 1.1) > 1.05);
+  SECTION("undamped, no step is stable, be it fixed or not") {
+    if (GENERATE(false, true)) settings.step = 1e-9;
+    const auto undamped =
+        sim::Simulation::create(tests::built(tests::twoNodes({})), tests::weightless(), {}, settings);
+    REQUIRE_FALSE(undamped.ok());
+    CHECK(undamped.problem().place == "solver.method");
+  }
+  SECTION("damped, a step of nearly d / k is") {
+    CHECK(growth(sim::Method::forwardEuler, 10.0, 0.98) < 1.0);
+  }
+  SECTION("a run stops when a track takes its damping away") {
+    sim::Track fading{.target = sim::TrackTarget::dampingScale,
+                      .object = sim::kNone,
+                      .interpolation = sim::Interpolation::step,
+                      .keys = {{0.0, sim::Vec3::UnitX()}, {0.01, sim::Vec3::Zero()}}};
+    const auto run =
+        tests::simulation(tests::twoNodes({.damping = 1.0}), settings, tests::weightless(), {fading});
+    const sim::Status status = run->advanceTo(0.02);
+    REQUIRE_FALSE(status.ok());
+    INFO(status.problem().line());
+    CHECK(status.problem().line().find("no step is stable any more") != std::string::npos);
+    CHECK(run->time() == Approx(0.01).margin(run->step() + 1e-3));
+  }
+}
+
+TEST_CASE("no swing gains energy on its way by forward Euler's automatic step") {
+  // A pair has nothing but its stiffest swing, the worst there is. Of 450 g/s, from light to five times
+  // critical.
+  const double damping = GENERATE(0.5, 5.0, 45.0, 450.0, 2250.0);
+  INFO(damping);
+  sim::Settings settings = tests::losslessSettings();
+  settings.method = sim::Method::forwardEuler;
+  settings.safety = 0.9;
+  settings.skip.ledger = false;
+  const auto swing = tests::simulation(
+      tests::twoNodes({.stiffness = 1e5, .damping = damping, .distance = 1.0 + 1e-6}), settings);
+  for (int n = 0; n < 20000; ++n) REQUIRE(swing->stepOnce().ok());
+  CHECK(swing->maxRise() < 0.005);
+  // Where the swing hardly gains, d / k is what counts.
+  if (damping == 0.5) CHECK(swing->step() == Approx(0.9 * damping / 1e5).epsilon(1e-9));
+}
+
+TEST_CASE("undamped, the leapfrog family keeps its energy however long the step") {
+  sim::Settings settings = tests::losslessSettings();
+  settings.method = GENERATE(sim::Method::velocityVerlet, sim::Method::symplecticEuler);
+  settings.safety = GENERATE(0.5, 0.9);
+  settings.skip.ledger = false;
+  INFO(sim::nameOf(settings.method) << " " << settings.safety);
+  sim::Blueprint bar = tests::chain(20);
+  for (std::size_t n = 0; n < bar.nodes.size(); ++n) bar.nodes[n].velocity.x() = sim::normalAt(1, n);
+  const auto run = tests::simulation(std::move(bar), settings);
+  for (int n = 0; n < 5000; ++n) REQUIRE(run->stepOnce().ok());
+  // A chain that moves along itself is linear: what is left is rounding.
+  CHECK(run->maxRise() < 1e-11);
+}
+
+TEST_CASE("a fixed step is divided while a track stiffens the scene") {
+  sim::Settings settings = tests::losslessSettings();
+  sim::Blueprint bar = tests::chain(20);
+  for (std::size_t n = 0; n < bar.nodes.size(); ++n) bar.nodes[n].velocity.x() = sim::normalAt(1, n);
+  const double step = 0.8 * longestStep(tests::built(bar), settings.method);
+  settings.step = step;
+  sim::Track stiffer{.target = sim::TrackTarget::stiffnessScale,
+                     .object = sim::kNone,
+                     .interpolation = sim::Interpolation::step,
+                     .keys = {}};
+  stiffer.keys = {{0.0, sim::Vec3::UnitX()},
+                  {50.0 * step, 100.0 * sim::Vec3::UnitX()},
+                  {100.0 * step, sim::Vec3::UnitX()}};
+  const auto run = tests::simulation(std::move(bar), settings, tests::weightless(), {stiffer});
+  tests::run(*run, 40.0 * step);
+  CHECK(run->step() == step);
+  tests::run(*run, 60.0 * step);
+  // Ten times as stiff in frequency: parts of at most 0.9 of a tenth of the longest.
+  CHECK(run->step() == Approx(step / 9.0).epsilon(1e-12));
+  tests::run(*run, 200.0 * step);
+  CHECK(run->step() == step);
+  CHECK(run->maxRise() < 1e-9);
 }
 
 /// A little random motion.

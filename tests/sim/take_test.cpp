@@ -1,5 +1,6 @@
 #include "sim/take/take.h"
 
+#include <array>
 #include <limits>
 #include <random>
 
@@ -129,6 +130,43 @@ TEST_CASE("what did not break is stored once", "[take]") {
   auto take = sim::TakeReader::open(path);
   REQUIRE(take.ok());
   CHECK((*take)->frame(1).value()->brokenBonds != (*take)->frame(2).value()->brokenBonds);
+}
+
+TEST_CASE("what did not move is left out, and read back all the same", "[take]") {
+  // As a heap does: one node after the other comes to rest.
+  const auto frameOf = [](const sim::Network& network, std::size_t number) {
+    sim::Snapshot frame = sampleFrame(network, number);
+    const sim::Snapshot rest = sampleFrame(network, 0);
+    const std::size_t resting = std::min(network.nodeCount(), number * network.nodeCount() / 40);
+    std::copy_n(rest.positions.begin(), resting, frame.positions.begin());
+    std::copy_n(rest.velocities.begin(), resting, frame.velocities.begin());
+    return frame;
+  };
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(8, 8, 8);
+  constexpr std::size_t kFrames = 60;
+  std::array<std::uintmax_t, 2> bytes{};
+  for (const bool leaveOut : {false, true}) {
+    const auto path = folder.file(leaveOut ? "less.take" : "all.take");
+    auto writer = sim::TakeWriter::create(path, sampleHeader(), network);
+    REQUIRE(writer.ok());
+    (*writer)->leaveOutUnmoved(leaveOut);
+    for (std::size_t number = 0; number < kFrames; ++number)
+      REQUIRE((*writer)->appendFrame(frameOf(network, number), {}).ok());
+    // Whole frames are the 0th and those a multiple of 24 later; from the 5th on an eighth is at rest.
+    CHECK(((*writer)->nodesLeftOut() > 0) == leaveOut);
+    REQUIRE((*writer)->finish("done").ok());
+    bytes[leaveOut ? 1 : 0] = std::filesystem::file_size(path);
+    const auto reader = sim::TakeReader::open(path);
+    REQUIRE(reader.ok());
+    REQUIRE((*reader)->frameCount() == kFrames);
+    for (const std::size_t number : {59U, 0U, 7U, 30U, 24U, 23U, 47U, 48U}) {
+      const auto frame = (*reader)->frame(number);
+      REQUIRE(frame.ok());
+      CHECK(identical(**frame, frameOf(network, number)));
+    }
+  }
+  CHECK(bytes[1] < bytes[0]);
 }
 
 TEST_CASE("a frame that is not of the network is refused and leaves the take as it was", "[take]") {

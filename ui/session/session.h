@@ -14,6 +14,7 @@
 #include "ui/session/builder.h"
 #include "ui/session/frame_loader.h"
 #include "ui/session/playback.h"
+#include "ui/session/shown.h"
 #include "ui/session/worker.h"
 
 namespace ui {
@@ -27,15 +28,6 @@ struct Take {
   bool stale = false;                 ///< the scene has been changed since
   std::optional<double> continuedAt;  ///< s: where it left the take it was continued from
   QDateTime made;
-};
-
-/// What there is to see at present: a network at one moment, and the scene it belongs to.
-struct Shown {
-  std::shared_ptr<const sim::Network> network;  ///< null: nothing
-  sim::SnapshotPointer moment;
-  std::shared_ptr<const modeling::Scene> scene;  ///< for looks and colliders; as it was built or run
-  bool recorded = false;                         ///< a moment of a take; else the scene as edited, at rest
-  bool live = false;                             ///< the present moment of the run
 };
 
 /// Everything behind the window: the document, what is built of it, the run, the takes and the moment shown.

@@ -26,6 +26,9 @@ QToolButton { background: transparent; border: 1px solid transparent; border-rad
 QToolButton:hover { background: @raised; }
 QToolButton:pressed, QToolButton:checked { background: @field; border-color: @line; }
 QToolButton:focus { border-color: @accent; }
+#viewBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
+#viewBar QToolButton:checked { background: @raised; border-color: @accent; }
+#viewChoices { background: @panel; border: 1px solid @line; }
 QPushButton { background: @raised; border: 1px solid @line; border-radius: 4px; padding: 5px 12px; }
 QPushButton:hover { border-color: @dimText; }
 QPushButton:pressed, QPushButton:checked { background: @field; }

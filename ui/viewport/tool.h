@@ -39,6 +39,8 @@ class Tool {
   virtual bool cancel(Viewport& /*viewport*/) { return false; }
   /// True: taken.
   virtual bool key(Viewport& /*viewport*/, int /*key*/, Qt::KeyboardModifiers /*modifiers*/) { return false; }
+  /// It takes the key as text, though it is a shortcut elsewhere.
+  virtual bool wantsKey(int /*key*/, Qt::KeyboardModifiers /*modifiers*/) const { return false; }
   virtual void draw(const Viewport& viewport, Overlay& overlay) = 0;
 };
 

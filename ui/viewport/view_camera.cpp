@@ -1,5 +1,6 @@
 #include "ui/viewport/view_camera.h"
 
+#include <QRectF>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -83,6 +84,16 @@ void ViewCamera::frame(const Eigen::AlignedBox3d& box, const QSizeF& size) {
   const double aspect = size.width() / std::max(size.height(), 1.0);
   const double half = std::atan(std::tan(0.5 * fieldOfView_) * std::min(aspect, 1.0));
   look(box.center(), 1.05 * radius / std::sin(half), azimuth_, elevation_);
+}
+
+bool ViewCamera::sees(const Eigen::AlignedBox3d& box, const QSizeF& size) const {
+  if (box.isEmpty()) return true;
+  const QRectF picture(QPointF(), size);
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto at = project(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)), size);
+    if (!at || !picture.contains(*at)) return false;
+  }
+  return true;
 }
 
 void ViewCamera::set(const modeling::Camera& camera) {

@@ -44,6 +44,9 @@ class ViewCamera {
   void zoom(double factor, const QPointF& at, const QSizeF& size);
   void frame(const Eigen::AlignedBox3d& box, const QSizeF& size);
 
+  /// All corners of the box are in the picture.
+  bool sees(const Eigen::AlignedBox3d& box, const QSizeF& size) const;
+
   void set(const modeling::Camera& camera);
   modeling::Camera asScene() const;
 

@@ -1,17 +1,30 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <memory>
 
 #include "ui/session/session.h"
+#include "ui/viewport/axis_gizmo.h"
+#include "ui/viewport/draw_preparer.h"
+#include "ui/viewport/gl.h"
+#include "ui/viewport/navigator.h"
 #include "ui/viewport/tool.h"
 #include "ui/viewport/view_camera.h"
+#include "ui/viewport/view_settings.h"
+
+class QLabel;
+class QPainter;
 
 namespace ui {
 
+class BreakHistory;
+class CameraFlight;
 class ViewportRenderer;
+struct PictureFrame;
 
-/// The picture of what the session shows, with navigation, picking and tools.
+/// The picture of what the session shows, with navigation, picking and tools. Where there is no OpenGL 3.3 it
+/// says so in its place, and nothing else of it does anything.
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
 
@@ -19,25 +32,44 @@ class Viewport : public QOpenGLWidget {
   explicit Viewport(Session& session, QWidget* parent = nullptr);
   ~Viewport() override;
 
-  Session& session() { return session_; }
+  Session& session() const { return session_; }
   const ViewCamera& camera() const { return camera_; }
   ViewCamera& camera() { return camera_; }
   QSizeF viewSize() const { return QSizeF(size()); }
 
+  const ViewSettings& viewSettings() const { return viewSettings_; }
+  void setViewSettings(const ViewSettings& settings);
+  NavigationPreset navigationPreset() const { return navigator_.preset(); }
+  void setNavigationPreset(NavigationPreset preset) { navigator_.setPreset(preset); }
+
   void frameAll();
   /// The parts and colliders that are selected; everything where none is.
   void frameSelection();
+  void lookAlong(ViewCamera::Axis axis);
+  void setOrthographic(bool orthographic);
+  /// Goes there smoothly.
+  void flyTo(const ViewCamera& camera);
 
   Pick pickAt(const QPointF& pixel);
+  /// What it is, in the words of the person: for the tooltip.
+  QString describe(const Pick& pick);
   Ray rayThrough(const QPointF& pixel) const { return camera_.rayThrough(pixel, viewSize()); }
   std::optional<QPointF> project(const sim::Vec3& point) const { return camera_.project(point, viewSize()); }
+  /// Of what is selected, cm; empty where nothing is, or it is not shown.
+  Eigen::AlignedBox3d selectionBox() const;
 
   /// Null: select.
   void setTool(std::unique_ptr<Tool> tool);
   Tool* tool() const { return tool_.get(); }
 
+  /// What is shown by the session and chosen to view is what is drawn.
+  bool isUpToDate() const;
+  const std::shared_ptr<const DrawData>& drawn() const { return drawn_; }
+  DrawStatistics statistics() const;
+
  signals:
   void toolChanged();
+  void viewSettingsChanged();
   /// What the pointer is over changed.
   void hovered(const Pick& pick);
   void clicked(const Pick& pick);
@@ -46,17 +78,55 @@ class Viewport : public QOpenGLWidget {
  protected:
   void initializeGL() override;
   void paintGL() override;
+  bool event(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void prepare();
+  void takePrepared();
+  void frameFirst();
+  void destroyRenderer();
+  void sayWhatIsMissing(const QString& why);
+  PictureFrame pictureFrame() const;
+  Eigen::AlignedBox3d everything() const;
+  ViewCamera framed(const Eigen::AlignedBox3d& box) const;
+  void moved();
+  void select(const Pick& pick, Qt::KeyboardModifiers modifiers);
+  void showHover();
+  bool showToolTip(const QPoint& at);
+  void paintOver();
+  void paintLegend(QPainter& painter) const;
+  void paintStatistics(QPainter& painter) const;
+  void paintInvisible(Overlay& overlay) const;
+
   Session& session_;
   ViewCamera camera_;
+  ViewSettings viewSettings_;
+  Navigator navigator_;
+  AxisGizmo axisGizmo_;
+  CameraFlight* flight_ = nullptr;
+  QLabel* missing_ = nullptr;  ///< says why there is no picture
   std::unique_ptr<Tool> tool_;
+  bool toolPressed_ = false;
   std::unique_ptr<ViewportRenderer> renderer_;
-  QPointF lastPointer_;
+  std::unique_ptr<BreakHistory> breaks_;
+  std::shared_ptr<const DrawData> drawn_;
+  bool frameWhenShown_ = true;
+  std::optional<QPointF> pointer_;     ///< while it is over the viewport
+  std::optional<QPointF> pressed_;     ///< of the left button, while it may become a click
+  std::optional<QPointF> gizmoPress_;  ///< of the left button, on the axes
+  QPointF gizmoLast_;
+  Pick hover_;
+  QTimer preparing_;
+  QTimer hovering_;
+  DrawPreparer preparer_;
 };
 
 }  // namespace ui

@@ -16,9 +16,13 @@ class QToolBar;
 
 namespace ui {
 
+class AddActions;
+class EditorActions;
 class Gallery;
 class PlayActions;
+class PreflightDialog;
 class ProblemBar;
+class SceneActions;
 class Viewport;
 
 /// The window: menus, bars, docks around the viewport. What it shows and does is the session's.
@@ -48,10 +52,12 @@ class MainWindow : public QMainWindow {
   // Made once, in this order (main_window_layout.cpp, main_window_menus.cpp).
   void makeCentre();
   void makeDocks();
+  void makeEditors();
   void makeMenus();
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeNavigationMenu();
   void makeSimulateMenu();
   void makeHelpMenu();
   void makeToolBar();
@@ -80,6 +86,10 @@ class MainWindow : public QMainWindow {
   QMenu* simulateMenu_ = nullptr;
   QToolBar* toolBar_ = nullptr;
   PlayActions* playActions_ = nullptr;
+  SceneActions* sceneActions_ = nullptr;
+  AddActions* addActions_ = nullptr;
+  PreflightDialog* preflight_ = nullptr;
+  EditorActions* editorActions_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

@@ -8,8 +8,15 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "ui/editors/editor_actions.h"
+#include "ui/editors/profile_editor.h"
+#include "ui/panels/add_actions.h"
 #include "ui/panels/diagnostics_panel.h"
+#include "ui/panels/empty_scene.h"
 #include "ui/panels/live_panel.h"
+#include "ui/panels/outliner.h"
+#include "ui/panels/properties.h"
+#include "ui/panels/scene_actions.h"
 #include "ui/panels/take_photographer.h"
 #include "ui/panels/takes_panel.h"
 #include "ui/theme/theme.h"
@@ -42,6 +49,13 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::makeDocks() {
+  sceneActions_ = new SceneActions(session_, this);
+  addActions_ = new AddActions(session_, this);
+  new EmptyScene(session_, *addActions_, viewport_);
+  addDock(QStringLiteral("outliner"), tr("Outliner"), new Outliner(session_, *sceneActions_, this),
+          Qt::LeftDockWidgetArea);
+  QDockWidget* properties = addDock(QStringLiteral("properties"), tr("Properties"),
+                                    new Properties(session_, this), Qt::RightDockWidgetArea);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   playActions_ = new PlayActions(session_, this);
@@ -55,14 +69,32 @@ void MainWindow::makeDocks() {
   splitDockWidget(plotsDock, dock, Qt::Vertical);
   plotsDock->toggleViewAction()->setShortcut(QKeySequence(Qt::Key_F9));
   plotsDock->hide();
-  addDock(QStringLiteral("live"), tr("Live"), new LivePanel(session_, *viewport_, *playActions_, this),
-          Qt::RightDockWidgetArea);
+  tabifyDockWidget(addDock(QStringLiteral("live"), tr("Live"),
+                           new LivePanel(session_, *viewport_, *playActions_, this), Qt::RightDockWidgetArea),
+                   properties);
   addDock(QStringLiteral("takes"), tr("Takes"), new TakesPanel(session_, *playActions_, this),
           Qt::LeftDockWidgetArea);
   new TakePhotographer(session_, *viewport_, this);
   // It has no name to show and nowhere better to be; its room is for the time.
   dock->setTitleBarWidget(new QWidget(dock));
   dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  makeEditors();
+}
+
+void MainWindow::makeEditors() {
+  editorActions_ = new EditorActions(session_, *viewport_, this);
+  addAction(editorActions_->glue());
+  QDockWidget* profile = addDock(QStringLiteral("profile"), tr("Profile"), new ProfileEditor(session_, this),
+                                 Qt::LeftDockWidgetArea);
+  tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("outliner")), profile);
+  profile->hide();
+  connect(editorActions_, &EditorActions::profileWanted, profile, [this, profile] {
+    constexpr int kRoomToDraw = 460;  // logical pixels
+    profile->show();
+    profile->raise();
+    if (profile->width() < kRoomToDraw) resizeDocks({profile}, {kRoomToDraw}, Qt::Horizontal);
+    if (profile->height() < kRoomToDraw) resizeDocks({profile}, {kRoomToDraw}, Qt::Vertical);
+  });
 }
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content,
@@ -83,6 +115,8 @@ void MainWindow::makeToolBar() {
   toolBar_->addAction(files_->newAction());
   toolBar_->addAction(files_->openAction());
   toolBar_->addAction(files_->saveAction());
+  toolBar_->addSeparator();
+  toolBar_->addAction(addActions_->openAction());
   toolBar_->addSeparator();
   toolBar_->addAction(playActions_->simulate);
 }

@@ -3,8 +3,15 @@
 #include <QMenuBar>
 #include <QSettings>
 
+#include "ui/editors/editor_actions.h"
+#include "ui/panels/add_actions.h"
+#include "ui/panels/long_run_notice.h"
+#include "ui/panels/preflight_dialog.h"
+#include "ui/panels/scene_actions.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/play_actions.h"
+#include "ui/viewport/view_actions.h"
+#include "ui/viewport/view_bars.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/main_window.h"
@@ -40,13 +47,41 @@ void MainWindow::makeEditMenu() {
   redo->setIcon(Theme::icon("redo"));
   menu->addAction(undo);
   menu->addAction(redo);
+  menu->addSeparator();
+  sceneActions_->fill(*menu);
+  menu->addSeparator();
+  menu->addActions({editorActions_->editPoints(), editorActions_->glue(), editorActions_->tuneThreshold()});
+  addActions_->fill(*menuBar()->addMenu(tr("&Add")));
+}
+
+void MainWindow::makeNavigationMenu() {
+  QMenu* menu = viewMenu_->addMenu(tr("&Navigation"));
+  auto* group = new QActionGroup(this);
+  const bool isMaya = QSettings().value("navigation").toString() == "maya";
+  const auto add = [&](const QString& name, const QString& tip, NavigationPreset preset, bool present) {
+    QAction* action = menu->addAction(name, this, [this, preset] {
+      viewport_->setNavigationPreset(preset);
+      QSettings().setValue("navigation", preset == NavigationPreset::maya ? "maya" : "blender");
+    });
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    action->setChecked(present);
+    group->addAction(action);
+  };
+  menu->setToolTipsVisible(true);
+  add(tr("As in &Blender"), tr("Middle button: orbit; with Shift: pan; with Ctrl or the wheel: zoom"),
+      NavigationPreset::blender, !isMaya);
+  add(tr("As in &Maya"), tr("With Alt, left button: orbit; middle: pan; right: zoom"), NavigationPreset::maya,
+      isMaya);
+  if (isMaya) viewport_->setNavigationPreset(NavigationPreset::maya);
 }
 
 void MainWindow::makeViewMenu() {
   viewMenu_ = menuBar()->addMenu(tr("&View"));
-  viewMenu_->addAction(Theme::icon("frame"), tr("Frame &All"), QKeySequence(Qt::Key_Home), viewport_,
-                       &Viewport::frameAll);
-  viewMenu_->addAction(tr("Frame &Selection"), QKeySequence(Qt::Key_F), viewport_, &Viewport::frameSelection);
+  auto* views = new ViewActions(*viewport_);
+  new ViewBars(*viewport_, *views);
+  views->addTo(*viewMenu_);
+  makeNavigationMenu();
   viewMenu_->addSeparator();
   QMenu* panels = viewMenu_->addMenu(tr("&Panels"));
   for (QDockWidget* dock : docks_) panels->addAction(dock->toggleViewAction());
@@ -77,6 +112,16 @@ void MainWindow::makeSimulateMenu() {
   simulateMenu_->addActions({actions.playBackwards, actions.stepBack, actions.stepForward, actions.toFirst,
                              actions.toLast, actions.toFirstBreak, actions.loop, actions.everyFrame});
   simulateMenu_->addSeparator();
+  preflight_ = new PreflightDialog(session_, this);
+  const auto preflight = [this] {
+    preflight_->show();
+    preflight_->raise();
+    preflight_->look();
+  };
+  simulateMenu_->addAction(Theme::icon("preflight"), tr("Pre-&flight…"), QKeySequence(Qt::CTRL | Qt::Key_P),
+                           this, preflight);
+  auto* longRun = new LongRunNotice(session_, viewport_);
+  connect(longRun, &LongRunNotice::preflightWanted, this, preflight);
   simulateMenu_->addAction(tr("Show the Scene at &Rest"), QKeySequence(Qt::CTRL | Qt::Key_Home), &session_,
                            &Session::showEdited);
 }

@@ -1,0 +1,112 @@
+#include "ui/document/new_parts.h"
+
+#include <catch2/catch.hpp>
+
+#include "modeling/scene/build.h"
+#include "modeling/scene/scene_file.h"
+#include "sim/network/surface_mesh.h"
+#include "ui/document/part_boxes.h"
+#include "ui/document/scene_edits.h"
+
+using namespace ui;
+using modeling::Scene;
+
+namespace {
+
+modeling::BuiltScene built(const Scene& scene) {
+  sim::Result<modeling::BuiltScene> result = modeling::build(scene, {});
+  if (!result) FAIL(result.problem().line());
+  return std::move(result).value();
+}
+
+/// Where the nodes of the scene's parts are, one box a part; parts that are glued have nodes in common.
+Eigen::AlignedBox3d extentOf(const Scene& scene, std::size_t part) {
+  Scene alone = scene;
+  alone.glue.clear();
+  alone.parts = {scene.parts[part]};
+  Eigen::AlignedBox3d box;
+  for (const sim::Vec3& position : sim::momentAtRest(built(alone).network).positions) box.extend(position);
+  return box;
+}
+
+}  // namespace
+
+TEST_CASE("Everything that can be added can be built, of good cells", "[new-parts]") {
+  for (const NewThing& thing : newThings()) {
+    if (isCollider(thing)) continue;
+    INFO(nameOf(thing).toStdString());
+    Scene scene;
+    addThing(scene, thing, {});
+    const modeling::BuiltScene result = built(scene);
+    REQUIRE(result.parts.size() == 1);
+    CHECK(result.parts[0].quality.minScaledJacobian > 0.35);
+    CHECK(result.parts[0].quality.maxAspect < 3.5);
+    CHECK(result.parts[0].nodes > 100);
+    CHECK(result.parts[0].nodes < 6000);
+    const sim::Result<modeling::SceneFile> again = modeling::parseScene(modeling::writeScene(scene), "again");
+    REQUIRE(again);
+    CHECK(again->scene == scene);
+  }
+}
+
+TEST_CASE("The first thing brings a material and a floor, and stands on it", "[new-parts]") {
+  Scene scene;
+  const Item cup = addThing(scene, newThings().front(), {});
+  CHECK(cup == Item{ItemKind::part, 0});
+  CHECK(scene.materials.size() == 1);
+  REQUIRE(scene.environment.colliders.size() == 1);
+  CHECK(std::holds_alternative<modeling::FloorShape>(scene.environment.colliders[0].form));
+  CHECK(extentOf(scene, 0).min().z() == Approx(0.0).margin(1e-9));
+}
+
+TEST_CASE("What is added stands on the floor beside what is there, and touches nothing", "[new-parts]") {
+  Scene scene;
+  scene.environment.colliders.push_back(
+      {"table", modeling::FloorShape{}, sim::Vec3(0, 0, 70), {}, {}, 0.3, 0.4, true});
+  for (const NewThing& thing : newThings()) addThing(scene, thing, {});
+  const sim::Status whole = modeling::checkScene(scene);
+  REQUIRE(whole);
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    boxes.push_back(extentOf(scene, i));
+    INFO(scene.parts[i].name);
+    CHECK(boxes.back().min().z() > 70.0 - 1e-6);
+    CHECK(boxes.back().min().z() < 71.5);
+    // The outline that placing relies on holds all nodes.
+    Eigen::AlignedBox3d outline = boxOf(scene.parts[i]);
+    outline.min().array() -= 1e-6;
+    outline.max().array() += 1e-6;
+    CHECK(outline.contains(boxes.back()));
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(boxes[i].intersects(boxes[j]));
+  }
+  CHECK(built(scene).warnings.empty());
+}
+
+TEST_CASE("A handle and a spout come to stand at the wall of the dish that is selected", "[new-parts]") {
+  using Kind = NewThing::Kind;
+  for (const ProfilePreset preset :
+       {ProfilePreset::cup, ProfilePreset::bowl, ProfilePreset::vase, ProfilePreset::teapotBody}) {
+    INFO(nameOf(preset).toStdString());
+    Scene scene;
+    const Item body = addThing(scene, {Kind::profile, preset}, {});
+    scene.parts[0].worldFromPart.position = sim::Vec3(3, 4, 5);
+    for (const Kind kind : {Kind::handle, Kind::spout}) addThing(scene, {kind, std::nullopt}, {body});
+    REQUIRE(scene.glue.size() == 2);
+    const modeling::BuiltScene result = built(scene);
+    for (const modeling::GlueReport& glue : result.glue) {
+      INFO(glue.a);
+      CHECK(glue.nodesMerged >= 4);
+      CHECK(glue.worstScaledJacobian > 0.2);
+    }
+    CHECK(result.warnings.empty());
+  }
+}
+
+TEST_CASE("A network has constants for each type of bond", "[new-parts]") {
+  Scene scene;
+  const Item item = addNetwork(scene, "bar.data", 2);
+  const auto& shape = std::get<modeling::NetworkShape>(scene.parts[item.index].shape);
+  CHECK(shape.bondTypes.size() == 2);
+  CHECK(shape.bondTypes[1].type == "2");
+  CHECK(modeling::checkScene(scene).ok());
+}

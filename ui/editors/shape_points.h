@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "modeling/scene/scene.h"
+
+namespace ui {
+
+enum class ShapePointKind {
+  point,   ///< of a curve, or a control point of a patch
+  handle,  ///< of the curve's point at ShapePoint::owner
+  width,   ///< at the end of a section's half width
+  depth,   ///< likewise of its half depth
+};
+
+/// Something of a shape that is dragged in the viewport.
+struct ShapePoint {
+  ShapePointKind kind = ShapePointKind::point;
+  modeling::Vec3 at = modeling::Vec3::Zero();  ///< cm, part coordinates
+  std::size_t owner = 0;                       ///< of a handle: the point it belongs to; else itself
+};
+
+struct ShapeLine {
+  modeling::Vec3 from, to;  ///< cm, part coordinates
+  bool isCurve = false;     ///< of the curve itself; else of a net or handle
+};
+
+/// The control points of a Bezier patch or curved cylinder, and the lines that join them. Points keep their
+/// places in the list however they are moved.
+struct ShapePoints {
+  std::vector<ShapePoint> points;
+  std::vector<ShapeLine> lines;
+};
+
+/// Nothing for shapes that have none.
+std::optional<ShapePoints> pointsOf(const modeling::PartShape& shape);
+bool hasPoints(const modeling::PartShape& shape);
+
+/// Moves some of the points, `by` in part coordinates (cm). A curve's point takes its handles along, the two
+/// handles of a smooth point stay in line, and a section that is the same along the whole curve stays so,
+/// unless `free`.
+void movePoints(modeling::PartShape& shape, const std::set<std::size_t>& points, const modeling::Vec3& by,
+                bool free = false);
+
+}  // namespace ui

@@ -1,0 +1,107 @@
+#include "ui/panels/add_actions.h"
+
+#include <QAction>
+#include <QCursor>
+#include <QFile>
+#include <QFileDialog>
+#include <QMenu>
+#include <QRegularExpression>
+
+#include "ui/panels/dish_picture.h"
+#include "ui/theme/theme.h"
+
+namespace ui {
+namespace {
+
+QIcon iconFor(const NewThing& thing) {
+  return thing.preset ? dishIcon(*thing.preset) : Theme::icon(iconNameOf(thing));
+}
+
+/// A path as the scene keeps it: relative where the file lies beside or below the scene.
+std::string storedPath(const QString& file, const std::filesystem::path& folder) {
+  const std::filesystem::path path(file.toStdString());
+  if (folder.empty()) return path.generic_string();
+  const std::filesystem::path relative = path.lexically_relative(folder);
+  const bool below = !relative.empty() && *relative.begin() != "..";
+  return (below ? relative : path).generic_string();
+}
+
+}  // namespace
+
+AddActions::AddActions(Session& session, QWidget* window)
+    : QObject(window), session_(session), window_(window), open_(new QAction(tr("Add"), this)) {
+  open_->setIcon(Theme::icon(QStringLiteral("add")));
+  open_->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_A));
+  open_->setToolTip(tr("Add a dish, another part or an obstacle (Shift+A)"));
+  open_->setObjectName(QStringLiteral("add"));
+  window->addAction(open_);
+  connect(open_, &QAction::triggered, this, &AddActions::openMenu);
+}
+
+void AddActions::fill(QMenu& menu) {
+  bool dishes = true;
+  bool colliders = false;
+  for (const NewThing& thing : newThings()) {
+    if (dishes && !thing.preset) menu.addSeparator();
+    dishes = thing.preset.has_value();
+    if (!colliders && isCollider(thing)) {
+      menu.addAction(Theme::icon(QStringLiteral("network")), tr("Network from a File…"), this,
+                     &AddActions::addNetworkFile);
+      menu.addSeparator();
+      colliders = true;
+    }
+    QAction* action = menu.addAction(iconFor(thing), nameOf(thing), this, [this, thing] { add(thing); });
+    action->setToolTip(helpOf(thing));
+    action->setStatusTip(helpOf(thing));
+  }
+  menu.setToolTipsVisible(true);
+}
+
+void AddActions::openMenu() {
+  QMenu menu(window_);
+  fill(menu);
+  menu.exec(QCursor::pos());
+}
+
+void AddActions::finish(const QString& name, const std::function<Item(modeling::Scene&)>& change) {
+  Item item;
+  session_.document().edit(name, [&](modeling::Scene& scene) { item = change(scene); });
+  session_.selection().select(item);
+  emit added(item);
+}
+
+void AddActions::add(const NewThing& thing) {
+  const std::vector<Item> selected = session_.selection().items();
+  finish(tr("Add %1").arg(nameOf(thing)),
+         [&](modeling::Scene& scene) { return addThing(scene, thing, selected); });
+}
+
+void AddActions::addNetworkFile() {
+  const QString file =
+      QFileDialog::getOpenFileName(window_, tr("Network of Nodes and Bonds"),
+                                   QString::fromStdString(session_.document().folder().string()),
+                                   tr("LAMMPS data (*.data *.lmp *.lammps);;All files (*)"));
+  if (file.isEmpty()) return;
+  const int types = bondTypesAnnounced(file);
+  if (types == 0)
+    return session_.report({file.toStdString(), "this is no LAMMPS data file with bonds",
+                            "choose a file that says \"N bond types\" in its head"});
+  const std::string path = storedPath(file, session_.document().folder());
+  finish(tr("Add Network"), [&](modeling::Scene& scene) { return addNetwork(scene, path, types); });
+}
+
+int bondTypesAnnounced(const QString& name) {
+  constexpr int kHeadLines = 60;
+  constexpr int kMostTypes = 1000;
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) return 0;
+  static const QRegularExpression announcement(QStringLiteral("^\\s*(\\d{1,6})\\s+bond\\s+types"));
+  for (int line = 0; line < kHeadLines && !file.atEnd(); ++line) {
+    constexpr qint64 kLongest = 400;
+    const auto match = announcement.match(QString::fromLatin1(file.readLine(kLongest)));
+    if (match.hasMatch()) return std::min(match.captured(1).toInt(), kMostTypes);
+  }
+  return 0;
+}
+
+}  // namespace ui

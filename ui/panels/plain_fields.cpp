@@ -1,0 +1,132 @@
+#include "ui/panels/plain_fields.h"
+
+#include <QColorDialog>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include "ui/theme/theme.h"
+
+namespace ui {
+
+TextField::TextField(QWidget* parent) : QLineEdit(parent) {
+  setStyleSheet(
+      QStringLiteral("QLineEdit:read-only { background: transparent; border-color: transparent; }"));
+  connect(this, &QLineEdit::editingFinished, this, &TextField::take);
+}
+
+void TextField::setValue(const QString& text) {
+  const bool typing = hasFocus() && isModified();
+  value_ = text;
+  if (typing || text == this->text()) return;
+  setText(text);
+  setCursorPosition(0);
+}
+
+void TextField::take() {
+  if (!isModified()) return;
+  setModified(false);
+  const QString typed = text();
+  if (typed == value_) return;
+  emit edited(typed);
+  // What was refused goes back to what holds.
+  if (!isModified() && text() != value_) setText(value_);
+}
+
+void TextField::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape) return QLineEdit::keyPressEvent(event);
+  setText(value_);
+  setModified(false);
+  selectAll();
+}
+
+bool TextField::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();
+    return true;
+  }
+  return QLineEdit::event(event);
+}
+
+ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
+  setMinimumContentsLength(6);
+  connect(this, &QComboBox::activated, this, [this] { emit edited(currentData()); });
+}
+
+void ChoiceField::setValue(const QVariant& chosen) {
+  setCurrentIndex(chosen.isValid() ? findData(chosen) : -1);
+}
+
+void ChoiceField::wheelEvent(QWheelEvent* event) {
+  if (hasFocus()) return QComboBox::wheelEvent(event);
+  event->ignore();
+}
+
+void ChoiceField::paintEvent(QPaintEvent* event) {
+  QComboBox::paintEvent(event);
+  constexpr int kSize = 10;
+  const QRect arrow(width() - kSize - 8, (height() - kSize) / 2, kSize, kSize);
+  QPainter painter(this);
+  Theme::icon(QStringLiteral("chevron-down"))
+      .paint(&painter, arrow, Qt::AlignCenter, isEnabled() ? QIcon::Normal : QIcon::Disabled);
+}
+
+void CheckField::paintEvent(QPaintEvent*) {
+  const Colours& colours = Theme::instance().colours();
+  constexpr int kBox = 15;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF box(0.5, 0.5 * (height() - kBox) + 0.5, kBox - 1, kBox - 1);
+  painter.setPen(hasFocus() ? colours.accent : underMouse() ? colours.dimText : colours.line);
+  painter.setBrush(isChecked() ? colours.accent : colours.field);
+  painter.drawRoundedRect(box, 3.0, 3.0);
+  if (isChecked()) {
+    painter.setPen(QPen(colours.accentText, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    const QPointF from = box.topLeft();
+    painter.drawPolyline(
+        QPolygonF{from + QPointF(3.2, 7.2), from + QPointF(6.0, 10.0), from + QPointF(11.0, 4.4)});
+  }
+  painter.setPen(isEnabled() ? colours.text : colours.dimText);
+  painter.drawText(rect().adjusted(kBox + 7, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text());
+}
+
+ColourField::ColourField(QWidget* parent) : QToolButton(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(this, &QToolButton::clicked, this, &ColourField::choose);
+}
+
+void ColourField::setValue(const QColor& colour) {
+  if (colour == value_) return;
+  value_ = colour;
+  update();
+}
+
+QSize ColourField::sizeHint() const {
+  return {60, QFontMetrics(Theme::numberFont()).height() + 8};
+}
+
+void ColourField::choose() {
+  const QColor before = value_;
+  QColorDialog dialog(before, this);
+  dialog.setWindowTitle(toolTip().isEmpty() ? tr("Colour") : toolTip());
+  connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
+    setValue(colour);
+    emit edited(colour, false);
+  });
+  const bool taken = dialog.exec() == QDialog::Accepted;
+  setValue(taken ? dialog.currentColor() : before);
+  emit edited(value_, true);
+}
+
+void ColourField::paintEvent(QPaintEvent*) {
+  const Colours& colours = Theme::instance().colours();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(hasFocus() ? colours.accent : underMouse() ? colours.dimText : colours.line);
+  painter.setBrush(value_);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+}
+
+}  // namespace ui

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QToolButton>
+
+/// Fields of a panel that are not numbers, with signals alike: what the person does, never what the program
+/// sets.
+namespace ui {
+
+/// A line of text that counts when Enter is pressed or the field is left; Esc takes it back.
+class TextField : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  explicit TextField(QWidget* parent = nullptr);
+  void setValue(const QString& text);
+
+ signals:
+  void edited(const QString& text);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  void take();
+  QString value_;
+};
+
+/// A box to be ticked, drawn so that it is seen empty too.
+class CheckField : public QCheckBox {
+  Q_OBJECT
+
+ public:
+  using QCheckBox::QCheckBox;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
+/// One of several; the wheel passes over it unless it has the focus.
+class ChoiceField : public QComboBox {
+  Q_OBJECT
+
+ public:
+  explicit ChoiceField(QWidget* parent = nullptr);
+  /// What is chosen, by its data; -1 or unknown data: nothing.
+  void setValue(const QVariant& chosen);
+
+ signals:
+  void edited(const QVariant& chosen);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+};
+
+/// A swatch that opens a colour chooser. What is tried there counts at once, as one edit.
+class ColourField : public QToolButton {
+  Q_OBJECT
+
+ public:
+  explicit ColourField(QWidget* parent = nullptr);
+  QColor value() const { return value_; }
+  void setValue(const QColor& colour);
+  QSize sizeHint() const override;
+
+ signals:
+  void edited(const QColor& colour, bool finished);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void choose();
+  QColor value_;
+};
+
+}  // namespace ui

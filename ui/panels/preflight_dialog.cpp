@@ -1,0 +1,205 @@
+#include "ui/panels/preflight_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/panels/quantity.h"
+#include "ui/theme/theme.h"
+
+namespace ui {
+namespace {
+
+/// Cells worse than these make the step short, or fold.
+constexpr double kBadSkew = 0.3;
+constexpr double kBadStretch = 4.0;
+constexpr double kLongRun = 120.0;  // s
+
+QString colouredBy(const QColor& colour) {
+  return QStringLiteral("color: %1;").arg(colour.name());
+}
+
+}  // namespace
+
+QString roughTime(double seconds) {
+  if (seconds < 1.0) return PreflightDialog::tr("under a second");
+  if (seconds < 90.0) return PreflightDialog::tr("%L1 s").arg(std::ceil(seconds), 0, 'f', 0);
+  if (seconds < 90.0 * 60.0) return PreflightDialog::tr("%L1 min").arg(std::ceil(seconds / 60.0), 0, 'f', 0);
+  if (seconds < 48.0 * 3600.0) return PreflightDialog::tr("%L1 h").arg(seconds / 3600.0, 0, 'f', 1);
+  return PreflightDialog::tr("%L1 days").arg(seconds / 86400.0, 0, 'f', 1);
+}
+
+QString roughSize(double bytes) {
+  if (bytes < 1e6) return PreflightDialog::tr("%L1 kB").arg(std::ceil(bytes / 1e3), 0, 'f', 0);
+  if (bytes < 1e9) return PreflightDialog::tr("%L1 MB").arg(std::ceil(bytes / 1e6), 0, 'f', 0);
+  return PreflightDialog::tr("%L1 GB").arg(bytes / 1e9, 0, 'f', 1);
+}
+
+PreflightDialog::PreflightDialog(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
+  setObjectName(QStringLiteral("preflight"));
+  setWindowTitle(tr("Pre-flight"));
+  setMinimumWidth(440);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 12);
+  column->setSpacing(12);
+  verdict_ = new QLabel(this);
+  verdict_->setWordWrap(true);
+  QFont font = verdict_->font();
+  font.setPointSizeF(font.pointSizeF() + 2.0);
+  font.setWeight(QFont::DemiBold);
+  verdict_->setFont(font);
+  busy_ = new QProgressBar(this);
+  busy_->setRange(0, 0);
+  busy_->setTextVisible(false);
+  busy_->setFixedHeight(6);
+  column->addWidget(verdict_);
+  column->addWidget(busy_);
+  column->addLayout(makeRows());
+  makeParts();
+  column->addWidget(parts_, 1);
+  column->addWidget(makeButtons());
+  timer_.setInterval(60);
+  connect(&timer_, &QTimer::timeout, this, &PreflightDialog::tick);
+}
+
+QFormLayout* PreflightDialog::makeRows() {
+  auto* rows = new QFormLayout;
+  rows->setHorizontalSpacing(20);
+  rows->setVerticalSpacing(7);
+  const auto row = [&](const QString& name, const QString& help) {
+    auto* value = new QLabel(this);
+    value->setFont(Theme::numberFont());
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setToolTip(help);
+    rows->addRow(name, value);
+    return value;
+  };
+  size_ = row(tr("Size"), tr("After gluing"));
+  step_ = row(tr("Step"), tr("The longest that is stable, and the one that is used"));
+  second_ = row(tr("A simulated second"), tr("On this machine, measured by some steps just now"));
+  clock_ = row(tr("The whole run"), tr("As long as nothing breaks, which makes it slower or faster"));
+  memory_ = row(tr("Memory"), tr("While it runs"));
+  take_ = row(tr("Take"), tr("What the recording will need on the disk, about"));
+  breaking_ = row(tr("Bonds breaking at rest"), tr("Stretched past their threshold before anything moves"));
+  return rows;
+}
+
+void PreflightDialog::makeParts() {
+  parts_ = new QTreeWidget(this);
+  parts_->setColumnCount(4);
+  parts_->setHeaderLabels({tr("Part"), tr("Nodes"), tr("Worst skew"), tr("Worst stretch")});
+  parts_->setRootIsDecorated(false);
+  parts_->setToolTip(
+      tr("Click to select the part. Skew is 1 for a cube, 0 for a flat cell; stretch is the longest over "
+         "the shortest edge."));
+  parts_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  parts_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  parts_->header()->setStretchLastSection(false);
+  parts_->setMinimumHeight(140);
+  connect(parts_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
+    session_.selection().select(
+        {ItemKind::part, static_cast<std::size_t>(parts_->indexOfTopLevelItem(item))});
+  });
+}
+
+QDialogButtonBox* PreflightDialog::makeButtons() {
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  auto* again = buttons->addButton(tr("Look Again"), QDialogButtonBox::ActionRole);
+  auto* simulate = buttons->addButton(tr("Simulate"), QDialogButtonBox::ApplyRole);
+  simulate->setIcon(Theme::icon(QStringLiteral("play")));
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  connect(again, &QPushButton::clicked, this, &PreflightDialog::look);
+  connect(simulate, &QPushButton::clicked, this, [this] {
+    close();
+    session_.simulate();
+  });
+  return buttons;
+}
+
+void PreflightDialog::look() {
+  shown_ = false;
+  preview_.reset();
+  verdict_->setStyleSheet({});
+  verdict_->setText(tr("Making some steps to see…"));
+  busy_->show();
+  for (QLabel* label : {size_, step_, clock_, second_, memory_, take_, breaking_}) label->clear();
+  timer_.start();
+}
+
+void PreflightDialog::tick() {
+  if (session_.isBuilding()) return;
+  if (preview_ != session_.preview()) {
+    preview_ = session_.preview();
+    run_.start(preview_);
+    showParts();
+  }
+  if (!run_.isDone()) return;
+  timer_.stop();
+  busy_->hide();
+  shown_ = true;
+  if (const std::optional<Preflight> flight = run_.result()) showFlight(*flight);
+  if (const std::optional<sim::Problem> problem = run_.problem()) showProblem(*problem);
+}
+
+void PreflightDialog::showFlight(const Preflight& flight) {
+  const Colours& colours = Theme::instance().colours();
+  size_->setText(tr("%L1 nodes, %L2 bonds, %L3 cells").arg(flight.nodes).arg(flight.bonds).arg(flight.cells));
+  const QString used = quantityText(flight.step, Dimension::time, 3);
+  const QString stable = quantityText(flight.stableStep, Dimension::time, 3);
+  step_->setText(flight.step == flight.stableStep ? tr("%1, stable").arg(used)
+                                                  : tr("%1, stable up to %2").arg(used, stable));
+  second_->setText(roughTime(flight.clockForSecond));
+  clock_->setText(tr("%1, %L2 steps").arg(roughTime(flight.clockForRun)).arg(flight.steps, 0, 'f', 0));
+  memory_->setText(roughSize(static_cast<double>(flight.memoryBytes)));
+  take_->setText(tr("about %1").arg(roughSize(flight.takeBytes)));
+  breaking_->setText(flight.bondsBreakingAtRest == 0 ? tr("none")
+                                                     : QString::number(flight.bondsBreakingAtRest));
+  const bool wrong = flight.bondsBreakingAtRest > 0 || flight.step > flight.stableStep;
+  const bool slow = flight.clockForRun > kLongRun;
+  verdict_->setStyleSheet(colouredBy(wrong ? colours.bad : slow ? colours.warning : colours.good));
+  if (flight.step > flight.stableStep)
+    verdict_->setText(tr("The step is too long to be stable: set it to auto."));
+  else if (wrong)
+    verdict_->setText(
+        tr("Something breaks before it moves: raise the threshold, or let parts meet without strain."));
+  else if (slow)
+    verdict_->setText(tr("This will take %1. Larger cells or a softer material make it faster.")
+                          .arg(roughTime(flight.clockForRun)));
+  else
+    verdict_->setText(tr("Ready: done in %1.").arg(roughTime(flight.clockForRun)));
+}
+
+void PreflightDialog::showProblem(const sim::Problem& problem) {
+  verdict_->setStyleSheet(colouredBy(Theme::instance().colours().bad));
+  verdict_->setText(QString::fromStdString(problem.line()));
+}
+
+void PreflightDialog::showParts() {
+  parts_->clear();
+  if (!preview_->built) return;
+  const Colours& colours = Theme::instance().colours();
+  for (const modeling::PartReport& part : preview_->built->parts) {
+    const modeling::LatticeQuality& quality = part.quality;
+    auto* row = new QTreeWidgetItem(parts_);
+    row->setText(0, QString::fromStdString(part.name));
+    row->setText(1, QStringLiteral("%L1").arg(part.nodes));
+    if (quality.volume > 0.0) {
+      row->setText(2, QString::number(quality.minScaledJacobian, 'f', 2));
+      row->setText(3, QString::number(quality.maxAspect, 'f', 1));
+      if (quality.minScaledJacobian < kBadSkew) row->setForeground(2, colours.warning);
+      if (quality.maxAspect > kBadStretch) row->setForeground(3, colours.warning);
+    }
+    for (int i = 1; i < 4; ++i) {
+      row->setTextAlignment(i, Qt::AlignRight | Qt::AlignVCenter);
+      row->setFont(i, Theme::numberFont());
+    }
+  }
+}
+
+}  // namespace ui

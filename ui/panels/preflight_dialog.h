@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+
+#include "ui/session/preflight_run.h"
+#include "ui/session/session.h"
+
+class QDialogButtonBox;
+class QFormLayout;
+class QLabel;
+class QProgressBar;
+class QTreeWidget;
+
+namespace ui {
+
+/// What the run will cost, and what looks wrong before it begins. Stays open beside the window; a click on a
+/// part with bad cells selects it.
+class PreflightDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PreflightDialog(Session& session, QWidget* parent = nullptr);
+  /// Looks again at the scene as it is now.
+  void look();
+  bool isDone() const { return shown_; }
+
+ private:
+  QFormLayout* makeRows();
+  void makeParts();
+  QDialogButtonBox* makeButtons();
+  void tick();
+  void showFlight(const Preflight& flight);
+  void showProblem(const sim::Problem& problem);
+  void showParts();
+
+  Session& session_;
+  PreflightRun run_;
+  QTimer timer_;
+  bool shown_ = false;
+  std::shared_ptr<const Preview> preview_;
+  QLabel* verdict_;
+  QProgressBar* busy_;
+  QLabel* size_;
+  QLabel* step_;
+  QLabel* clock_;
+  QLabel* second_;
+  QLabel* memory_;
+  QLabel* take_;
+  QLabel* breaking_;
+  QTreeWidget* parts_;
+};
+
+/// "3 minutes", "1.5 hours": as exact as anybody wants to know.
+QString roughTime(double seconds);
+QString roughSize(double bytes);
+
+}  // namespace ui

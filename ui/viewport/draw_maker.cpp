@@ -1,0 +1,200 @@
+#include "ui/viewport/draw_maker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "modeling/exchange/take_scene.h"
+#include "ui/viewport/draw_colours.h"
+#include "ui/viewport/level_surface.h"
+#include "ui/viewport/topology.h"
+
+namespace ui {
+namespace {
+
+/// A million cubes take a few tenths of a second and show the bumps of some ten thousand nodes.
+constexpr std::size_t kMostCubes = 1'000'000;
+/// Reach of a node's potential relative to the distance of its nearest neighbour: enough to close the
+/// surface over the middle of a cell, where eight nodes are 0.87 edges away.
+constexpr double kPotentialReach = 1.5;
+
+bool isNamed(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::uint8_t> hiddenParts(const sim::Network& network, const ViewSettings& settings) {
+  std::vector<std::uint8_t> hidden;
+  for (const std::string& name : network.partNames)
+    hidden.push_back(isNamed(settings.hiddenParts, name) ? 1 : 0);
+  // A network made by hand may name no parts.
+  hidden.resize(std::max<std::size_t>(hidden.size(), 1), 0);
+  return hidden;
+}
+
+LatticeDraw latticeOf(const sim::Network& network) {
+  LatticeDraw lattice;
+  lattice.bonds.reserve(network.bondCount());
+  for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    for (sim::BondIndex bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
+      lattice.bonds.push_back({node, network.bondEnds[bond],
+                               static_cast<float>(network.bond(bond).restLength), network.thresholds[bond]});
+    }
+  }
+  return lattice;
+}
+
+/// How far each fragment is moved for an exploded view: away from the middle of the body it came from.
+std::map<sim::FragmentId, sim::Vec3> explodedOffsets(const sim::Snapshot& moment, double share) {
+  std::map<sim::FragmentId, const sim::Fragment*> byId;
+  for (const sim::Fragment& fragment : moment.fragments) byId[fragment.id] = &fragment;
+  // A parent that has broken is no living fragment: what came off it counts as of the nearest that is, or
+  // else as of the parent's number.
+  const auto bodyOf = [&](const sim::Fragment* fragment) {
+    for (auto found = byId.find(fragment->parent); found != byId.end(); found = byId.find(fragment->parent))
+      fragment = found->second;
+    return fragment->parent == sim::kNone ? fragment->id : fragment->parent;
+  };
+  std::map<sim::FragmentId, std::pair<double, sim::Vec3>> bodies;
+  for (const sim::Fragment& fragment : moment.fragments) {
+    auto& [mass, moment1] = bodies.try_emplace(bodyOf(&fragment), 0.0, sim::Vec3::Zero()).first->second;
+    mass += fragment.mass;
+    moment1 += fragment.mass * fragment.centre;
+  }
+  std::map<sim::FragmentId, sim::Vec3> offsets;
+  for (const sim::Fragment& fragment : moment.fragments) {
+    const auto& [mass, moment1] = bodies.at(bodyOf(&fragment));
+    if (mass > 0.0) offsets[fragment.id] = share * (fragment.centre - moment1 / mass);
+  }
+  return offsets;
+}
+
+std::vector<std::array<float, 4>> positionsOf(const sim::Snapshot& moment, double explode) {
+  std::vector<std::array<float, 4>> positions(moment.positions.size());
+  std::map<sim::FragmentId, sim::Vec3> offsets;
+  if (explode > 0.0) offsets = explodedOffsets(moment, explode);
+  sim::FragmentId fragment = sim::kNone;
+  sim::Vec3 offset = sim::Vec3::Zero();
+  for (std::size_t node = 0; node < positions.size(); ++node) {
+    if (!offsets.empty() && moment.fragmentOfNode[node] != fragment) {
+      fragment = moment.fragmentOfNode[node];
+      const auto found = offsets.find(fragment);
+      offset = found == offsets.end() ? sim::Vec3(sim::Vec3::Zero()) : found->second;
+    }
+    const Eigen::Vector3f position = (moment.positions[node] + offset).cast<float>();
+    positions[node] = {position.x(), position.y(), position.z(), 1.0F};
+  }
+  return positions;
+}
+
+Eigen::AlignedBox3d boxOf(const std::vector<std::array<float, 4>>& positions) {
+  Eigen::AlignedBox3f box;
+  for (const auto& position : positions) {
+    const Eigen::Vector3f point = Eigen::Map<const Eigen::Vector3f>(position.data());
+    if (point.allFinite()) box.extend(point);
+  }
+  return box.cast<double>();
+}
+
+}  // namespace
+
+bool DrawMaker::isNewTopology(const DrawData& data, const std::vector<std::uint8_t>& hidden) const {
+  if (!last_.topology || last_.shown.network != data.shown.network || hidden != hidden_) return true;
+  const sim::Snapshot& before = *last_.shown.moment;
+  const sim::Snapshot& now = *data.shown.moment;
+  return &before != &now && (before.brokenBonds != now.brokenBonds || before.brokenCells != now.brokenCells ||
+                             before.fragmentOfNode != now.fragmentOfNode);
+}
+
+void DrawMaker::addColours(DrawData& data, bool newTopology) {
+  static const modeling::Scene kNoScene;
+  const modeling::Scene& scene = data.shown.scene ? *data.shown.scene : kNoScene;
+  const Palette palette(*data.shown.network, *data.shown.moment, scene, data.settings);
+  std::vector<modeling::Look> looks = modeling::looksOf(scene, *data.shown.network);
+  const bool recoloured = newTopology || looks != looks_ ||
+                          data.settings.colouring != last_.settings.colouring ||
+                          data.settings.insideColour != last_.settings.insideColour;
+  const bool otherBalls = recoloured || data.settings.nodes != last_.settings.nodes ||
+                          data.settings.isolated != last_.settings.isolated;
+  looks_ = std::move(looks);
+  data.colours =
+      recoloured ? std::make_shared<const ColourDraw>(palette.surface(*data.topology)) : last_.colours;
+  data.nodes =
+      otherBalls ? std::make_shared<const NodeDraw>(palette.nodes(*data.topology, hidden_)) : last_.nodes;
+}
+
+void DrawMaker::addMotion(DrawData& data, bool newTopology) {
+  if (!newTopology && data.shown.moment == last_.shown.moment &&
+      data.settings.explode == last_.settings.explode) {
+    data.motion = last_.motion;
+    data.box = last_.box;
+    return;
+  }
+  MotionDraw motion;
+  motion.positions = positionsOf(*data.shown.moment, data.settings.explode);
+  motion.normals = cornerNormals(*data.topology, motion.positions);
+  data.box = boxOf(motion.positions);
+  data.motion = std::make_shared<const MotionDraw>(std::move(motion));
+}
+
+void DrawMaker::addLevel(DrawData& data, const std::function<bool()>& cancelled) {
+  if (!data.settings.levelSurface) return;
+  if (last_.level && data.motion == last_.motion && data.colours == last_.colours) {
+    data.level = last_.level;
+    return;
+  }
+  static const modeling::Scene kNoScene;
+  const Palette palette(*data.shown.network, *data.shown.moment,
+                        data.shown.scene ? *data.shown.scene : kNoScene, data.settings);
+  const sim::Network& network = *data.shown.network;
+  std::vector<FieldNode> nodes;
+  for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    if (hidden_[network.nodeParts[node]] != 0) continue;
+    const auto& at = data.motion->positions[node];
+    const sim::Vec3 position = Eigen::Map<const Eigen::Vector3f>(at.data()).cast<double>();
+    if (position.allFinite())
+      nodes.push_back(
+          {position, kPotentialReach * static_cast<double>(network.radii[node]), palette.ofNode(node)});
+  }
+  LevelDraw level = levelSurface(nodes, kMostCubes, cancelled);
+  if (!cancelled()) data.level = std::make_shared<const LevelDraw>(std::move(level));
+}
+
+DrawData DrawMaker::make(const Shown& shown, const ViewSettings& settings,
+                         const std::function<bool()>& cancelled) {
+  const auto start = std::chrono::steady_clock::now();
+  DrawData data;
+  data.shown = shown;
+  data.settings = settings;
+  if (shown.scene) {
+    data.colliders = modeling::collidersAt(*shown.scene, shown.moment ? shown.moment->time : 0.0);
+    std::erase_if(data.colliders, [&](const sim::Collider& collider) {
+      return isNamed(settings.hiddenColliders, collider.name);
+    });
+  }
+  if (shown.network && shown.moment) {
+    if (shown.network != network_) {
+      surface_ = std::make_unique<sim::SurfaceBuilder>(*shown.network);
+      network_ = shown.network;
+      data.lattice = std::make_shared<const LatticeDraw>(latticeOf(*network_));
+    } else {
+      data.lattice =
+          last_.lattice ? last_.lattice : std::make_shared<const LatticeDraw>(latticeOf(*network_));
+    }
+    const std::vector<std::uint8_t> hidden = hiddenParts(*network_, settings);
+    const bool newTopology = isNewTopology(data, hidden);
+    hidden_ = hidden;
+    data.topology =
+        newTopology
+            ? std::make_shared<const TopologyDraw>(topologyOf(*network_, *surface_, *shown.moment, hidden_))
+            : last_.topology;
+    addColours(data, newTopology);
+    addMotion(data, newTopology);
+    addLevel(data, cancelled);
+  }
+  data.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  last_ = data;
+  return data;
+}
+
+}  // namespace ui

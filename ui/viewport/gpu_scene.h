@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QOpenGLShaderProgram>
+#include <memory>
+#include <optional>
+
+#include "ui/viewport/draw_data.h"
+#include "ui/viewport/gl.h"
+
+namespace ui {
+
+/// Draw data on the graphics card, and the calls that draw it with the program that is bound. Made, used and
+/// destroyed with the context current.
+class GpuScene {
+ public:
+  GpuScene(Gl& gl, DrawStatistics& statistics);
+  ~GpuScene();
+  GpuScene(const GpuScene&) = delete;
+  GpuScene& operator=(const GpuScene&) = delete;
+
+  /// Uploads the pieces that are not there yet.
+  void show(const std::shared_ptr<const DrawData>& data);
+  const DrawData& data() const { return *data_; }
+  const std::shared_ptr<const DrawData>& dataPointer() const { return data_; }
+
+  void bindNodePositions();
+  /// Faces and, where wanted, shards; of one part, or of all.
+  void drawSurface(QOpenGLShaderProgram& program, bool shards, std::optional<sim::PartIndex> part = {});
+  void drawShards(QOpenGLShaderProgram& program);
+  void drawLevel(QOpenGLShaderProgram& program);
+  void drawCollider(QOpenGLShaderProgram& program, std::size_t collider);
+  void drawBalls();
+  void drawBonds();
+  void drawScreen();
+  void drawSquare();
+
+ private:
+  struct Solid {
+    GLuint array = 0;
+    GlBuffer vertices;
+    GlBuffer indices;
+  };
+
+  void uploadPositions(const MotionDraw& motion);
+  void uploadTopology(const TopologyDraw& topology);
+  void uploadColliders(const std::vector<sim::Collider>& colliders);
+  void describeSurface();
+  void describeShards();
+  void describeBalls();
+  void describeBonds();
+  void uploadSolid(Solid& solid, const LevelDraw& draw);
+  void destroySolid(Solid& solid);
+  void drawSolid(Solid& solid);
+  void bindVertices(GLuint array);
+  void useNodes(QOpenGLShaderProgram& program);
+  void drawFaces(std::uint32_t first, std::size_t count);
+  void drawShardCorners(std::uint32_t first, std::size_t count);
+
+  Gl& gl_;
+  DrawStatistics& statistics_;
+  std::shared_ptr<const DrawData> data_;
+  GLuint positions_ = 0;  ///< a texture of four floats a node, 2048 nodes a row
+  GLsizei positionRows_ = 0;
+  GLuint surfaceArray_ = 0;
+  GLuint shardArray_ = 0;
+  GLuint ballArray_ = 0;
+  GLuint bondArray_ = 0;
+  GLuint emptyArray_ = 0;
+  GlBuffer cornerNodes_;
+  GlBuffer cornerNormals_;
+  GlBuffer cornerColours_;
+  GlBuffer faceIndices_;
+  GlBuffer shardCorners_;
+  GlBuffer shardColours_;
+  GlBuffer balls_;
+  GlBuffer bonds_;
+  GlBuffer bondFlags_;
+  Solid level_;
+  std::vector<std::pair<sim::Collider, Solid>> colliders_;
+};
+
+}  // namespace ui
