@@ -83,6 +83,7 @@ sim::Status LiveRun::copyFrames(Footage& from, const sim::TakeReader& reader, st
     footage_->append(*moment, from.note(frame), *events);
     newest_ = *moment;
   }
+  frameWork_ = simulation_->work();
   // From here on it can be continued again; the frames before are those of the old take.
   return take_->appendCheckpoint(simulation_->checkpoint());
 }
