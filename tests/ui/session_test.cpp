@@ -153,4 +153,30 @@ TEST_CASE("Ending the program in the middle of a run takes less than a second an
   CHECK((*reader)->droppedBytes() == 0);
 }
 
+TEST_CASE("A take continued as it was ends in the same bits, and with another scene in others") {
+  Fixture fixture;
+  ui::Session& session = fixture.session;
+  session.document().reset(fallingSlab(), {});
+  fixture.simulateToEnd();
+  const std::uint64_t whole = session.run()->stateHash;
+  session.playback().seek(4);
+  session.continueFromFrame(false);
+  REQUIRE(becomesTrue([&] { return isDone(session) && session.takes().size() == 2; }));
+  CHECK(session.run()->stateHash == whole);
+  const std::shared_ptr<ui::Footage> continued = session.takes()[1].footage;
+  REQUIRE(continued->frameCount() == 11);
+  for (std::size_t frame = 0; frame < 11; ++frame)
+    CHECK(continued->held(frame)->positions == session.takes()[0].footage->held(frame)->positions);
+  CHECK(session.takes()[1].continuedAt);
+
+  session.selectTake(0);
+  session.playback().seek(4);
+  session.document().edit("Gravity", [](Scene& scene) { scene.environment.gravity.z() = 500.0; });
+  session.continueFromFrame(true);
+  REQUIRE(becomesTrue([&] { return isDone(session) && session.takes().size() == 3; }));
+  CHECK(session.run()->stateHash != whole);
+  CHECK(session.takes()[2].footage->held(4)->positions == continued->held(4)->positions);
+  CHECK(session.takes()[2].footage->held(10)->positions != continued->held(10)->positions);
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -102,15 +103,24 @@ void TakesPanel::makeButtons() {
   save_ = make(QStringLiteral("save-take"), tr("Save As..."), tr("Save this take as a file of its own"));
   open_ = make(QStringLiteral("open-take"), tr("Open..."), tr("Open a take from a file"));
   column->addLayout(row);
-  remove_->setShortcut(QKeySequence::Delete);
-  remove_->setShortcutContext(Qt::WidgetShortcut);
-  list_->addAction(remove_);
+  list_->installEventFilter(this);
   connect(play_, &QAction::triggered, this, &TakesPanel::play);
   connect(rename_, &QAction::triggered, this,
           [this] { list_->edit(model_->index(static_cast<int>(selected()))); });
   connect(remove_, &QAction::triggered, this, &TakesPanel::remove);
   connect(save_, &QAction::triggered, this, &TakesPanel::saveAs);
   connect(open_, &QAction::triggered, this, &TakesPanel::open);
+}
+
+/// In the list Delete and F2 are meant for takes, not for what is selected in the scene.
+bool TakesPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool asked = event->type() == QEvent::ShortcutOverride;
+  if (!asked && event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key != Qt::Key_Delete && key != Qt::Key_F2) return QWidget::eventFilter(watched, event);
+  event->accept();
+  if (!asked && key == Qt::Key_Delete) remove();
+  return asked || key == Qt::Key_Delete;
 }
 
 std::size_t TakesPanel::selected() const {

@@ -20,6 +20,9 @@ class TakesPanel : public QWidget {
  public:
   TakesPanel(Session& session, PlayActions& actions, QWidget* parent = nullptr);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   QWidget* makeEmpty();
   void makeButtons();

@@ -67,11 +67,16 @@ sim::Status LiveRun::startFresh() {
   footage_ = std::make_shared<Footage>(std::shared_ptr<const sim::Network>(built, &built->network),
                                        plan_.scene, plan_.take);
   plan_.built.reset();
+  if (const sim::Status started = startTake(); !started) return started;
+  return recordFrame();
+}
+
+sim::Status LiveRun::startTake() {
   auto take = sim::TakeWriter::create(plan_.take, headerOf(plan_.scene), simulation_->network());
   if (!take) return take.problem();
   take_ = std::move(take).value();
   framesSinceCheckpoint_ = sim::kFramesPerCheckpoint;
-  return recordFrame();
+  return sim::Done{};
 }
 
 std::optional<LiveRun::Clock::time_point> LiveRun::due() const {

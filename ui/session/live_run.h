@@ -46,6 +46,10 @@ class LiveRun {
  private:
   sim::Status startFresh();
   sim::Status startContinued(const Interrupt& cancelled);
+  sim::Status startTake();
+  /// The frames up to the one where it goes on are those of the old take.
+  sim::Status copyFrames(Footage& from, const sim::TakeReader& reader, std::size_t last);
+  sim::Status repeatUntil(double time, const Interrupt& cancelled);
   bool ended() const;
   /// False when the simulation failed.
   bool stepTowards(double frame);

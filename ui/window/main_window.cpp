@@ -22,7 +22,7 @@ namespace ui {
 namespace {
 
 /// Of QMainWindow::saveState(): another number when docks are added or renamed.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 
 QString timeLeft(double seconds) {
   if (seconds < 60.0) return MainWindow::tr("%1 s left").arg(std::ceil(seconds));

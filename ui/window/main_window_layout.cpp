@@ -13,6 +13,7 @@
 #include "ui/panels/add_actions.h"
 #include "ui/panels/diagnostics_panel.h"
 #include "ui/panels/empty_scene.h"
+#include "ui/panels/inspector_panel.h"
 #include "ui/panels/live_panel.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/properties.h"
@@ -52,8 +53,8 @@ void MainWindow::makeDocks() {
   sceneActions_ = new SceneActions(session_, this);
   addActions_ = new AddActions(session_, this);
   new EmptyScene(session_, *addActions_, viewport_);
-  addDock(QStringLiteral("outliner"), tr("Outliner"), new Outliner(session_, *sceneActions_, this),
-          Qt::LeftDockWidgetArea);
+  QDockWidget* outliner = addDock(QStringLiteral("outliner"), tr("Outliner"),
+                                  new Outliner(session_, *sceneActions_, this), Qt::LeftDockWidgetArea);
   QDockWidget* properties = addDock(QStringLiteral("properties"), tr("Properties"),
                                     new Properties(session_, this), Qt::RightDockWidgetArea);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -69,11 +70,17 @@ void MainWindow::makeDocks() {
   splitDockWidget(plotsDock, dock, Qt::Vertical);
   plotsDock->toggleViewAction()->setShortcut(QKeySequence(Qt::Key_F9));
   plotsDock->hide();
-  tabifyDockWidget(addDock(QStringLiteral("live"), tr("Live"),
-                           new LivePanel(session_, *viewport_, *playActions_, this), Qt::RightDockWidgetArea),
-                   properties);
-  addDock(QStringLiteral("takes"), tr("Takes"), new TakesPanel(session_, *playActions_, this),
-          Qt::LeftDockWidgetArea);
+  QDockWidget* live =
+      addDock(QStringLiteral("live"), tr("Live"), new LivePanel(session_, *viewport_, *playActions_, this),
+              Qt::RightDockWidgetArea);
+  QDockWidget* inspector = addDock(QStringLiteral("inspector"), tr("Inspector"),
+                                   new InspectorPanel(session_, *viewport_, this), Qt::RightDockWidgetArea);
+  tabifyDockWidget(properties, live);
+  tabifyDockWidget(live, inspector);
+  properties->raise();
+  tabifyDockWidget(outliner, addDock(QStringLiteral("takes"), tr("Takes"),
+                                     new TakesPanel(session_, *playActions_, this), Qt::LeftDockWidgetArea));
+  outliner->raise();
   new TakePhotographer(session_, *viewport_, this);
   // It has no name to show and nowhere better to be; its room is for the time.
   dock->setTitleBarWidget(new QWidget(dock));
