@@ -19,10 +19,10 @@ enum class ChunkKind : std::uint32_t {
   breakage = 3,  ///< what is broken and which fragments there are, when that has changed
   events = 4,    ///< breaks since the frame before
   frame = 5,
-  checkpoint = 6,  ///< of the frame before it
-  outcome = 7,     ///< how the run ended
-  change = 8,      ///< a frame that says only what is other than in a whole frame before it
-  scene = 9,       ///< the scene, added to while it ran: says the same as before of what was recorded
+  checkpoint = 6,   ///< of the frame before it
+  outcome = 7,      ///< how the run ended
+  change = 8,       ///< a frame that says only what is other than in a whole frame before it
+  scene = 9,        ///< the scene, added to while it ran: says the same as before of what was recorded
   otherScene = 10,  ///< the scene that what follows comes from
 };
 

@@ -171,7 +171,16 @@ sim::Status LiveRun::recordFrame() {
   return sim::Done{};
 }
 
+/// What was performed stands in the take as well, so that it can be continued and run again.
+sim::Status LiveRun::writeScene() {
+  if (sceneWritten_) return sim::Done{};
+  const sim::Status written = take_->appendScene(headerOf(scene_).scene);
+  sceneWritten_ = written.ok();
+  return written;
+}
+
 sim::Status LiveRun::writeFrame(const sim::Snapshot& moment) {
+  if (const sim::Status written = writeScene(); !written) return written;
   if (const sim::Status written = take_->appendFrame(moment, unrecorded_); !written) return written;
   if (++framesSinceCheckpoint_ < sim::kFramesPerCheckpoint && !ended()) return sim::Done{};
   // A checkpoint that could not be written is tried again with the next frame; the frame itself stands.
@@ -218,6 +227,7 @@ void LiveRun::stop() {
 
 void LiveRun::finish(const std::string& outcome) {
   if (take_) {
+    static_cast<void>(writeScene());
     if (framesSinceCheckpoint_ > 0 && outcome == "stopped")
       static_cast<void>(take_->appendCheckpoint(simulation_->checkpoint()));
     if (const sim::Status finished = take_->finish(outcome); !finished) problem_ = finished.problem();

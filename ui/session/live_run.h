@@ -46,15 +46,14 @@ class LiveRun {
  private:
   sim::Status startFresh();
   sim::Status startContinued(const Interrupt& cancelled);
+  sim::Status showCopiedFrames(const sim::TakeReader& reader);
   sim::Status startTake();
-  /// The frames up to the one where it goes on are those of the old take.
-  sim::Status copyFrames(Footage& from, const sim::TakeReader& reader, std::size_t last);
-  sim::Status repeatUntil(double time, const Interrupt& cancelled);
   bool ended() const;
   /// False when the simulation failed.
   bool stepTowards(double frame);
   sim::Status recordFrame();
   sim::Status writeFrame(const sim::Snapshot& moment);
+  sim::Status writeScene();
   void pauseBecause(const sim::Problem& problem);
   void finish(const std::string& outcome);
   void replan(std::vector<Performed> performed);
@@ -71,7 +70,8 @@ class LiveRun {
   std::unique_ptr<sim::Simulation> simulation_;
   std::unique_ptr<sim::TakeWriter> take_;
   std::shared_ptr<Footage> footage_;
-  modeling::Scene scene_;  ///< as performed so far
+  modeling::Scene scene_;     ///< as performed so far
+  bool sceneWritten_ = true;  ///< the take's scene is this one
   std::vector<sim::BreakEvent> unrecorded_;
   std::uint64_t framesSinceCheckpoint_ = 0;
   std::vector<Performed> performed_;

@@ -66,6 +66,7 @@ void LiveRun::replan(std::vector<Performed> performed) {
     return;
   }
   scene_ = std::move(changed);
+  sceneWritten_ = false;
   footage_->setScene(scene_);
   performed_.insert(performed_.end(), performed.begin(), performed.end());
 }

@@ -24,8 +24,9 @@ struct RunPlan {
   std::shared_ptr<const modeling::BuiltScene> built;  ///< of this very scene, where there is one already
   /// Where it goes on from; absent: from the start.
   struct Continuation {
-    std::shared_ptr<Footage> from;
+    std::shared_ptr<Footage> take;
     std::size_t frame = 0;
+    bool changed = false;  ///< by the plan's scene; else as the take was run
   };
   std::optional<Continuation> continuation;
 };

@@ -247,7 +247,7 @@ void Session::continueFromFrame(bool changed) {
   plan.scene = changed ? document_.scene() : footage->scene();
   plan.folder = document_.folder();
   plan.take = newTakeFile();
-  plan.continuation = RunPlan::Continuation{footage, playback_.frame()};
+  plan.continuation = RunPlan::Continuation{footage, playback_.frame(), changed};
   nextContinuedAt_ = footage->note(playback_.frame()).time;
   begin(std::move(plan), freshTakeName());
 }
