@@ -345,7 +345,7 @@ void Contacts::takeOver(const Contacts& other) {
       if (entry.brokenBond == kNone) entry.rho = std::min(entry.rho, naturalLength(row.node, entry.other));
     }
   }
-  noteLengths();
+  deduce();
   stale_ = true;
 }
 
