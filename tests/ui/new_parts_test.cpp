@@ -61,8 +61,11 @@ TEST_CASE("The first thing brings a material and a floor, and stands on it", "[n
 
 TEST_CASE("What is added stands on the floor beside what is there, and touches nothing", "[new-parts]") {
   Scene scene;
-  scene.environment.colliders.push_back(
-      {"table", modeling::FloorShape{}, sim::Vec3(0, 0, 70), {}, {}, 0.3, 0.4, true});
+  modeling::SceneCollider table;
+  table.name = "table";
+  table.form = modeling::FloorShape{};
+  table.position = sim::Vec3(0, 0, 70);
+  scene.environment.colliders.push_back(table);
   for (const NewThing& thing : newThings()) addThing(scene, thing, {});
   const sim::Status whole = modeling::checkScene(scene);
   REQUIRE(whole);
