@@ -47,6 +47,14 @@ double niceStep(double least) {
   return 10.0 * power;
 }
 
+/// Charts make a label for every tick of the range they have: an interval that does not belong to it could
+/// ask for more than there is memory.
+void setRange(QValueAxis& axis, double from, double to, double ticks) {
+  const double end = to > from ? to : from + 1.0;
+  axis.setTickInterval(niceStep((end - from) / ticks));
+  axis.setRange(from, end);
+}
+
 }  // namespace
 
 DiagnosticsPanel::DiagnosticsPanel(Session& session, NoteFeed& feed, TimeAxis& axis, QWidget* parent)
@@ -110,8 +118,9 @@ void DiagnosticsPanel::makeChart() {
   for (QValueAxis* axis : {time_, values_, others_}) {
     axis->setLabelsFont(Theme::numberFont(-2.0));
     axis->setLabelFormat(QStringLiteral("%.3g"));
-    axis->setTickType(QValueAxis::TicksDynamic);
+    setRange(*axis, 0.0, 1.0, 4.0);
     axis->setTickAnchor(0.0);
+    axis->setTickType(QValueAxis::TicksDynamic);
   }
   others_->setGridLineVisible(false);
   view_ = new QChartView(chart_, this);
@@ -201,8 +210,7 @@ void DiagnosticsPanel::plotNow() {
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     points.push_back(decimated(feed_.notes(), plots_[plot_].lines[line], from, to, buckets));
   }
-  time_->setTickInterval(niceStep((to - from) / 6.0));
-  time_->setRange(from, to);
+  setRange(*time_, from, to, 6.0);
   fitValues(*values_, false, points);
   fitValues(*others_, true, points);
   for (std::size_t line = 0; line < lines_.size(); ++line) lines_[line].series->replace(points[line]);
@@ -232,8 +240,7 @@ void DiagnosticsPanel::fitValues(QValueAxis& axis, bool ofItsOwn, std::vector<QL
   most /= thousands.factor;
   if (least == most) most = 1.0;
   const double room = 0.06 * (most - least);
-  axis.setTickInterval(niceStep((most - least) / 4.0));
-  axis.setRange(least < 0.0 ? least - room : 0.0, most + room);
+  setRange(axis, least < 0.0 ? least - room : 0.0, most + room, 4.0);
 }
 
 std::size_t DiagnosticsPanel::presentFrame() const {
