@@ -1,4 +1,4 @@
-uniform uint kind;
+uniform int kind;
 
 flat in uint bond;
 in vec3 world;
@@ -7,7 +7,7 @@ layout(location = 1) out vec4 place;
 layout(location = 2) out vec4 facing;
 
 void main() {
-  identity = uvec4(kind, bond, 0u, 1u);
+  identity = uvec4(uint(kind), bond, 0u, 1u);
   place = vec4(world, 1.0);
   facing = vec4(-forward, 0.0);
 }

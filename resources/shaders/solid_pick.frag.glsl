@@ -1,6 +1,6 @@
-uniform uint kind;
-uniform uint firstIndex;
-uniform uint primitivesEach;  // triangles that belong to one index; 0: all of them
+uniform int kind;
+uniform int firstIndex;
+uniform int primitivesEach;  // triangles that belong to one index; 0: all of them
 
 in vec3 world;
 in vec3 normal;
@@ -9,8 +9,8 @@ layout(location = 1) out vec4 place;
 layout(location = 2) out vec4 facing;
 
 void main() {
-  uint index = primitivesEach == 0u ? firstIndex : firstIndex + uint(gl_PrimitiveID) / primitivesEach;
-  identity = uvec4(kind, index, 0u, 1u);
+  int index = primitivesEach == 0 ? firstIndex : firstIndex + gl_PrimitiveID / primitivesEach;
+  identity = uvec4(uint(kind), uint(index), 0u, 1u);
   place = vec4(world, 1.0);
   facing = vec4(gl_FrontFacing ? normal : -normal, 0.0);
 }

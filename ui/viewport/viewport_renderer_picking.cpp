@@ -11,7 +11,7 @@
 namespace ui {
 namespace {
 
-/// What stands in the first number of a pixel.
+/// What stands in the first number of a pixel. Uniforms are signed, since Qt sets no others.
 enum : GLuint { kNothing, kFace, kShard, kNode, kBond, kCollider, kLevel };
 
 /// Wider than it is drawn, so that a hand can hit it; logical pixels.
@@ -51,39 +51,39 @@ void ViewportRenderer::identifySolids(const PictureFrame& frame) {
   const DrawData& data = scene_->data();
   QOpenGLShaderProgram& ground = programs_->groundPick;
   useCamera(ground, frame);
-  ground.setUniformValue("kind", static_cast<GLuint>(kCollider));
+  ground.setUniformValue("kind", static_cast<GLint>(kCollider));
   for (std::size_t i = 0; i < data.colliders.size(); ++i) {
     const sim::Collider& collider = data.colliders[i];
     const bool above =
         (frame.camera.eye() - collider.position).dot(collider.rotation * sim::Vec3::UnitZ()) > 0;
     if (collider.shape != sim::ColliderShape::floor || !collider.visible || !above) continue;
-    ground.setUniformValue("firstIndex", static_cast<GLuint>(i));
+    ground.setUniformValue("firstIndex", static_cast<GLint>(i));
     drawGround(ground, &collider);
   }
   QOpenGLShaderProgram& solid = programs_->solidPick;
   useCamera(solid, frame);
-  solid.setUniformValue("kind", static_cast<GLuint>(kCollider));
-  solid.setUniformValue("primitivesEach", 0U);
+  solid.setUniformValue("kind", static_cast<GLint>(kCollider));
+  solid.setUniformValue("primitivesEach", 0);
   for (std::size_t i = 0; i < data.colliders.size(); ++i) {
     if (!data.colliders[i].visible) continue;
-    solid.setUniformValue("firstIndex", static_cast<GLuint>(i));
+    solid.setUniformValue("firstIndex", static_cast<GLint>(i));
     scene_->drawCollider(solid, i);
   }
-  solid.setUniformValue("kind", static_cast<GLuint>(kLevel));
-  solid.setUniformValue("firstIndex", 0U);
+  solid.setUniformValue("kind", static_cast<GLint>(kLevel));
+  solid.setUniformValue("firstIndex", 0);
   scene_->drawLevel(solid);
 }
 
 void ViewportRenderer::identifySurface(const PictureFrame& frame) {
   QOpenGLShaderProgram& solid = programs_->solidPick;
   useCamera(solid, frame);
-  solid.setUniformValue("firstIndex", 0U);
-  solid.setUniformValue("kind", static_cast<GLuint>(kFace));
-  solid.setUniformValue("primitivesEach", 2U);
+  solid.setUniformValue("firstIndex", 0);
+  solid.setUniformValue("kind", static_cast<GLint>(kFace));
+  solid.setUniformValue("primitivesEach", 2);
   scene_->drawSurface(solid, false);
   if (scene_->data().settings.isolated != IsolatedNodes::tetrahedra) return;
-  solid.setUniformValue("kind", static_cast<GLuint>(kShard));
-  solid.setUniformValue("primitivesEach", 1U);
+  solid.setUniformValue("kind", static_cast<GLint>(kShard));
+  solid.setUniformValue("primitivesEach", 1);
   scene_->drawShards(solid);
 }
 
@@ -95,7 +95,7 @@ void ViewportRenderer::identifyLattice(const PictureFrame& frame, double reach) 
   if (settings.bonds) {
     QOpenGLShaderProgram& bond = programs_->bondPick;
     useCamera(bond, frame);
-    bond.setUniformValue("kind", static_cast<GLuint>(kBond));
+    bond.setUniformValue("kind", static_cast<GLint>(kBond));
     bond.setUniformValue("pixels", QVector2D(static_cast<float>(frame.ratio * frame.size.width()),
                                              static_cast<float>(frame.ratio * frame.size.height())));
     bond.setUniformValue("brokenToo", settings.brokenBonds);
@@ -105,7 +105,7 @@ void ViewportRenderer::identifyLattice(const PictureFrame& frame, double reach) 
   }
   QOpenGLShaderProgram& ball = programs_->ballPick;
   useCamera(ball, frame);
-  ball.setUniformValue("kind", static_cast<GLuint>(kNode));
+  ball.setUniformValue("kind", static_cast<GLint>(kNode));
   scene_->drawBalls();
 }
 
