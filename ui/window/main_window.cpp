@@ -21,9 +21,6 @@
 namespace ui {
 namespace {
 
-/// Of QMainWindow::saveState(): another number when docks are added or renamed.
-constexpr int kLayoutVersion = 3;
-
 QString timeLeft(double seconds) {
   if (seconds < 60.0) return MainWindow::tr("%1 s left").arg(std::ceil(seconds));
   return MainWindow::tr("%1 min left").arg(std::ceil(seconds / 60.0));
@@ -68,10 +65,6 @@ void MainWindow::recallLayout() {
   restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
 }
 
-void MainWindow::resetLayout() {
-  restoreState(firstLayout_, kLayoutVersion);
-}
-
 void MainWindow::showGallery() {
   if (pages_->currentWidget() == workPage_ && isVisible()) {
     keepPicture();
@@ -87,8 +80,7 @@ void MainWindow::showViewport() {
   pages_->setCurrentWidget(workPage_);
   const QByteArray state = QSettings().value("window/state").toByteArray();
   toolBar_->show();
-  if (!restoreState(state.isEmpty() ? firstLayout_ : state, kLayoutVersion))
-    restoreState(firstLayout_, kLayoutVersion);
+  if (state.isEmpty() || !restoreState(state, kLayoutVersion)) useFirstLayout();
   viewport_->setFocus();
 }
 

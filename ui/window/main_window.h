@@ -65,13 +65,16 @@ class MainWindow : public QMainWindow {
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
   void rememberLayout() const;
   void recallLayout();
-  void resetLayout();
+  void useFirstLayout();
 
   void showTitle();
   void showRun();
   void showPreviewProblem();
   void showProblem(const sim::Problem& problem);
   void keepPicture();
+
+  /// Of saveState(): another number when docks are added or renamed.
+  static constexpr int kLayoutVersion = 4;
 
   Session& session_;
   RecentFiles recent_;

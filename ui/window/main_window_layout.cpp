@@ -77,10 +77,8 @@ void MainWindow::makeDocks() {
                                    new InspectorPanel(session_, *viewport_, this), Qt::RightDockWidgetArea);
   tabifyDockWidget(properties, live);
   tabifyDockWidget(live, inspector);
-  properties->raise();
   tabifyDockWidget(outliner, addDock(QStringLiteral("takes"), tr("Takes"),
                                      new TakesPanel(session_, *playActions_, this), Qt::LeftDockWidgetArea));
-  outliner->raise();
   new TakePhotographer(session_, *viewport_, this);
   // It has no name to show and nowhere better to be; its room is for the time.
   dock->setTitleBarWidget(new QWidget(dock));
@@ -104,11 +102,19 @@ void MainWindow::makeEditors() {
   });
 }
 
+void MainWindow::useFirstLayout() {
+  restoreState(firstLayout_, kLayoutVersion);
+  for (const char* name : {"outliner", "properties"})
+    findChild<QDockWidget*>(QString::fromLatin1(name))->raise();
+}
+
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content,
                                  Qt::DockWidgetArea area) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
   dock->setWidget(content);
+  // At the sides docks are tabs, which have their names already.
+  if (area != Qt::BottomDockWidgetArea) dock->setTitleBarWidget(new QWidget(dock));
   addDockWidget(area, dock);
   docks_.push_back(dock);
   return dock;

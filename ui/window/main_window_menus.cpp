@@ -86,7 +86,7 @@ void MainWindow::makeViewMenu() {
   QMenu* panels = viewMenu_->addMenu(tr("&Panels"));
   for (QDockWidget* dock : docks_) panels->addAction(dock->toggleViewAction());
   panels->addSeparator();
-  panels->addAction(tr("&Reset Layout"), this, &MainWindow::resetLayout);
+  panels->addAction(tr("&Reset Layout"), this, &MainWindow::useFirstLayout);
   QMenu* themes = viewMenu_->addMenu(tr("&Theme"));
   auto* group = new QActionGroup(this);
   const auto addTheme = [&](const QString& name, ThemeKind kind) {

@@ -1,0 +1,155 @@
+// The way of a person who opens the program for the first time, in the real window. The pictures of docs/guide are made
+// on this way: SMITHEREENS_GUIDE_PICTURES=docs/guide tests/ui/with_display build/release/tests/test-window "A cup*".
+#include <QAbstractButton>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include <catch2/catch.hpp>
+
+#include "modeling/scene/build.h"
+#include "modeling/scene/scene_file.h"
+#include "sim/dynamics/simulation.h"
+#include "sim/take/frame_times.h"
+#include "tests/ui/window_scenes.h"
+#include "ui/files/autosave.h"
+#include "ui/panels/add_actions.h"
+#include "ui/theme/theme.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using modeling::Scene;
+
+std::uint64_t hashOfHeadlessRun(const Scene& scene) {
+  auto built = modeling::build(scene, {});
+  REQUIRE(built);
+  auto simulation = sim::Simulation::create(built->network, std::move(built->conditions.environment),
+                                            std::move(built->conditions.tracks), built->conditions.settings);
+  REQUIRE(simulation);
+  while (!sim::hasReached((*simulation)->time(), (*simulation)->step(), scene.output.duration))
+    REQUIRE((*simulation)->stepOnce());
+  return (*simulation)->stateHash();
+}
+
+struct Desk {
+  QTemporaryDir place;
+  fs::path root = place.path().toStdString();
+  fs::path folder = ui::Autosave::newFolder(root / "sessions");
+  ui::Session session{folder};
+  ui::MainWindow window{session};
+
+  Desk() {
+    window.resize(1280, 800);
+    window.show();
+    REQUIRE(QTest::qWaitForWindowExposed(&window));
+    window.activateWindow();
+    REQUIRE(QTest::qWaitForWindowActive(&window));
+  }
+
+  const Scene& scene() { return session.document().scene(); }
+  QUndoStack& history() { return session.document().undoStack(); }
+  void click(const char* button) {
+    auto* found = window.findChild<QAbstractButton*>(QString::fromLatin1(button));
+    REQUIRE(found != nullptr);
+    QTest::mouseClick(found, Qt::LeftButton);
+  }
+  /// Of the whole window, for the guide.
+  void picture(const char* name) {
+    const QString folder = qEnvironmentVariable("SMITHEREENS_GUIDE_PICTURES");
+    if (folder.isEmpty()) return;
+    REQUIRE(tests::becomesTrue([&] { return window.viewport().isUpToDate(); }));
+    QTest::qWait(300);
+    REQUIRE(window.grab().save(folder + "/" + QString::fromLatin1(name) + ".png"));
+  }
+  void raise(const char* dock) {
+    window.findChild<QDockWidget*>(QString::fromLatin1(dock))->raise();
+    QTest::qWait(50);
+  }
+  bool isDone() { return session.run()->phase == ui::RunPhase::done; }
+  void waitUntilBuilt() {
+    REQUIRE(tests::becomesTrue([&] {
+      return !session.isBuilding() && session.preview()->scene == scene() && session.preview()->built;
+    }));
+  }
+};
+
+TEST_CASE("A cup with a handle is built, dropped, broken, scrubbed, made to sneeze, undone and saved") {
+  Desk desk;
+  ui::Session& session = desk.session;
+  desk.picture("gallery");
+  desk.click("galleryNew");
+  CHECK(desk.window.viewport().isVisible());
+  desk.picture("empty");
+  const Scene empty = desk.scene();
+  REQUIRE(empty.parts.empty());
+
+  desk.click("add-cup");
+  REQUIRE(desk.scene().parts.size() == 1);
+  desk.waitUntilBuilt();
+  desk.window.viewport().frameAll();
+  desk.picture("cup");
+  desk.window.findChild<ui::AddActions*>()->add({ui::NewThing::Kind::handle, {}});
+  REQUIRE(desk.scene().parts.size() == 2);
+  REQUIRE(desk.scene().glue.size() == 1);
+  desk.waitUntilBuilt();
+  desk.picture("handle");
+  session.document().edit("Throw it down", [](Scene& scene) {
+    for (modeling::Part& part : scene.parts) {
+      part.worldFromPart.position.z() += 2.0;
+      part.velocity.z() = -600.0;
+    }
+    scene.output = {500.0, 0.03};
+  });
+  desk.waitUntilBuilt();
+  CHECK(session.preview()->built->glue[0].nodesMerged > 0);
+
+  desk.raise("live");
+  session.setPace({0.05});
+  QTest::keyClick(&desk.window.viewport(), Qt::Key_Space);
+  REQUIRE(
+      tests::becomesTrue([&] { return session.run()->footage && session.run()->footage->frameCount() > 1; }));
+  desk.click("sneeze");
+  REQUIRE(tests::becomesTrue([&] { return desk.isDone(); }));
+  REQUIRE(session.takes().size() == 1);
+  CHECK(session.run()->brokenBonds > 0);
+  REQUIRE(desk.scene().tracks.size() == 1);
+  CHECK_FALSE(session.takes()[0].stale);
+  CHECK(hashOfHeadlessRun(desk.scene()) == session.run()->stateHash);
+
+  session.playback().toLast();
+  desk.picture("broken");
+  desk.raise("takes");
+  session.playback().toFirstBreak();
+  desk.picture("first-break");
+  const std::size_t first = session.playback().frame();
+  REQUIRE(tests::becomesTrue([&] { return session.shown().moment->time == session.playback().time(); }));
+  session.playback().stepBy(-1);
+  CHECK(session.playback().frame() + 1 == first);
+  REQUIRE(tests::becomesTrue([&] { return session.shown().moment->time == session.playback().time(); }));
+  const auto broken = session.shown().moment->brokenBonds;
+  CHECK(std::count(broken.begin(), broken.end(), 1) == 0);
+
+  const Scene last = desk.scene();
+  while (desk.history().canUndo()) desk.history().undo();
+  CHECK(desk.scene() == empty);
+  while (desk.history().canRedo()) desk.history().redo();
+  CHECK(desk.scene() == last);
+
+  ui::Theme::instance().apply(ui::ThemeKind::light);
+  desk.raise("outliner");
+  desk.raise("properties");
+  desk.picture("light");
+  ui::Theme::instance().apply(ui::ThemeKind::dark);
+  const fs::path file = desk.root / "cup.scene.json";
+  REQUIRE(session.document().saveTo(file));
+  const auto loaded = modeling::loadScene(file);
+  REQUIRE(loaded);
+  CHECK(loaded->scene == last);
+  CHECK_FALSE(desk.window.isWindowModified());
+}
+
+}  // namespace
