@@ -1,5 +1,8 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QMessageBox>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
@@ -22,6 +25,25 @@ void askForOpenGl() {
   QSurfaceFormat::setDefaultFormat(format);
 }
 
+/// Qt does not survive a window with a picture of OpenGL where there is none: better asked before.
+bool hasOpenGl() {
+  QOpenGLContext context;
+  QOffscreenSurface surface;
+  surface.create();
+  return context.create() && context.makeCurrent(&surface) && context.format().version() >= std::pair(3, 3);
+}
+
+int complainOfOpenGl() {
+  const QString words = QApplication::translate(
+      "main",
+      "Smithereens needs OpenGL 3.3 to draw, and this display does not offer it. Install a driver of your "
+      "graphics card or Mesa's software renderer. smithereens-cli does everything without a window.");
+  std::cerr << "smithereens: " << words.toStdString() << '\n';
+  if (QGuiApplication::platformName() != QStringLiteral("offscreen"))
+    QMessageBox::critical(nullptr, QStringLiteral("Smithereens"), words);
+  return EXIT_FAILURE;
+}
+
 int run(QApplication& application) {
   QCommandLineParser arguments;
   arguments.setApplicationDescription(
@@ -32,6 +54,7 @@ int run(QApplication& application) {
                                   "[FILE]");
   arguments.process(application);
 
+  if (!hasOpenGl()) return complainOfOpenGl();
   const bool light = QSettings().value("theme").toString() == "light";
   ui::Theme::instance().apply(light ? ui::ThemeKind::light : ui::ThemeKind::dark);
   const std::filesystem::path root =

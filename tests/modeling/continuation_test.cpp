@@ -92,6 +92,20 @@ void checkAt(const sim::Simulation& simulation, const sim::TakeReader& take, std
   CHECK(now.brokenBonds == recorded->brokenBonds);
 }
 
+/// Under other conditions the half kick that ends at the frame is done before they change, and rounded once
+/// more.
+void checkNear(const sim::Simulation& simulation, const sim::TakeReader& take, std::size_t frame) {
+  const sim::SnapshotPointer recorded = take.frame(frame).value();
+  const sim::Snapshot now = simulation.snapshot();
+  CHECK(now.stepCount == recorded->stepCount);
+  CHECK(now.positions == recorded->positions);
+  CHECK(now.brokenBonds == recorded->brokenBonds);
+  double furthest = 0.0;
+  for (std::size_t node = 0; node < now.velocities.size(); ++node)
+    furthest = std::max(furthest, (now.velocities[node] - recorded->velocities[node]).norm());
+  CHECK(furthest < 1e-13);  // cm/s; nodes move at up to some hundred
+}
+
 TEST_CASE("a run goes on from any frame to the same bits") {
   const tests::ScratchFolder folder;
   Recording recording(folder.file("knock.take"), knockedTable());
@@ -218,7 +232,7 @@ TEST_CASE("whatever may change, the run goes on soundly") {
   }
   const modeling::Continuation other = continued(*take, 9, &changed);
   REQUIRE(other.changed);
-  checkAt(*other.simulation, *take, 9);
+  checkNear(*other.simulation, *take, 9);
   const double before = unexplained(*other.simulation);
   const sim::Status ran = other.simulation->advanceTo(0.02);
   if (!ran) FAIL(ran.problem().line());

@@ -1,5 +1,6 @@
-// The way of a person who opens the program for the first time, in the real window. The pictures of docs/guide are made
-// on this way: SMITHEREENS_GUIDE_PICTURES=docs/guide tests/ui/with_display build/release/tests/test-window "A cup*".
+// The way of a person who opens the program for the first time, in the real window. The pictures of
+// docs/guide are made on this way, by
+//   SMITHEREENS_GUIDE_PICTURES=docs/guide tests/ui/with_display build/release/tests/test-window "A cup*"
 #include <QAbstractButton>
 #include <QDockWidget>
 #include <QPushButton>
@@ -59,11 +60,11 @@ struct Desk {
   }
   /// Of the whole window, for the guide.
   void picture(const char* name) {
-    const QString folder = qEnvironmentVariable("SMITHEREENS_GUIDE_PICTURES");
-    if (folder.isEmpty()) return;
+    const QString pictures = qEnvironmentVariable("SMITHEREENS_GUIDE_PICTURES");
+    if (pictures.isEmpty()) return;
     REQUIRE(tests::becomesTrue([&] { return window.viewport().isUpToDate(); }));
     QTest::qWait(300);
-    REQUIRE(window.grab().save(folder + "/" + QString::fromLatin1(name) + ".png"));
+    REQUIRE(window.grab().save(pictures + "/" + QString::fromLatin1(name) + ".png"));
   }
   void raise(const char* dock) {
     window.findChild<QDockWidget*>(QString::fromLatin1(dock))->raise();

@@ -173,19 +173,4 @@ TEST_CASE("Turning the view uploads nothing") {
   CHECK(stage.viewport.statistics().uploadsInAll == before);
 }
 
-TEST_CASE("Without OpenGL the viewport says so", "[.][no-opengl]") {
-  QTemporaryDir folder;
-  ui::Session session{std::filesystem::path(folder.path().toStdString())};
-  ui::Viewport viewport(session);
-  viewport.resize(320, 240);
-  viewport.show();
-  session.document().reset(examples::blockAndBall(), {});
-  REQUIRE(becomesTrue([&] { return viewport.findChild<QLabel*>("missingPicture") != nullptr; }));
-  REQUIRE(becomesTrue([&] { return session.shown().moment != nullptr; }));
-  CHECK_FALSE(viewport.isValid());
-  CHECK(viewport.pickAt(QPointF(160.0, 120.0)).kind == ui::Pick::Kind::nothing);
-  viewport.frameAll();
-  QTest::mouseClick(&viewport, Qt::LeftButton, Qt::NoModifier, QPoint(160, 120));
-}
-
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
+#include "sim/base/parallel.h"
 
 namespace ui {
 namespace {
@@ -150,8 +150,8 @@ std::vector<std::uint32_t> cornerNormals(const TopologyDraw& topology,
                                          const std::vector<std::array<float, 4>>& positions) {
   std::vector<std::uint32_t> normals(topology.cornerNodes.size());
   const std::size_t count = topology.firstOfNormal.empty() ? 0 : topology.firstOfNormal.size() - 1;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-    for (std::size_t normal = range.begin(); normal != range.end(); ++normal) {
+  sim::parallelRanges(count, 1024, sim::Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t normal = begin; normal != end; ++normal) {
       const std::uint32_t* const first = topology.cornersOfNormal.data() + topology.firstOfNormal[normal];
       const std::uint32_t* const last =
           first + (topology.firstOfNormal[normal + 1] - topology.firstOfNormal[normal]);
