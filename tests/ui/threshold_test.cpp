@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "ui/document/new_scene.h"
 #include "ui/editors/calibration_chart.h"
 #include "ui/editors/threshold_dialog.h"
 #include "ui/panels/number_field.h"
@@ -20,17 +21,9 @@ struct Fixture {
   QPointer<ThresholdDialog> dialog;
 
   Fixture() {
-    modeling::Scene scene;
-    modeling::SceneMaterial material;
-    material.name = material.values.name = "ceramic";
-    material.values.youngsModulus = 3.5e9;
-    material.values.strength = 2e8;
-    scene.materials.push_back(material);
-    session.document().reset(scene, {});
+    session.document().reset(newScene(), {});
     dialog = new ThresholdDialog(session, 0, nullptr);
     dialog->show();
-    // Few cells: what is tested is the dialog.
-    find<NumberField>("threshold-cell-size").setValue(1.2);
   }
   ~Fixture() { delete dialog; }
 
