@@ -9,10 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
-#include "sim/dynamics/simulation.h"
-#include "sim/take/frame_times.h"
 #include "tests/ui/window_scenes.h"
 #include "ui/files/autosave.h"
 #include "ui/panels/add_actions.h"
@@ -24,17 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using modeling::Scene;
-
-std::uint64_t hashOfHeadlessRun(const Scene& scene) {
-  auto built = modeling::build(scene, {});
-  REQUIRE(built);
-  auto simulation = sim::Simulation::create(built->network, std::move(built->conditions.environment),
-                                            std::move(built->conditions.tracks), built->conditions.settings);
-  REQUIRE(simulation);
-  while (!sim::hasReached((*simulation)->time(), (*simulation)->step(), scene.output.duration))
-    REQUIRE((*simulation)->stepOnce());
-  return (*simulation)->stateHash();
-}
 
 struct Desk {
   QTemporaryDir place;
@@ -119,7 +105,7 @@ TEST_CASE("A cup with a handle is built, dropped, broken, scrubbed, made to snee
   CHECK(session.run()->brokenBonds > 0);
   REQUIRE(desk.scene().tracks.size() == 1);
   CHECK_FALSE(session.takes()[0].stale);
-  CHECK(hashOfHeadlessRun(desk.scene()) == session.run()->stateHash);
+  CHECK(tests::hashOfHeadlessRun(desk.scene()) == session.run()->stateHash);
 
   session.playback().toLast();
   desk.picture("broken");

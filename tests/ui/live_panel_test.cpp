@@ -6,9 +6,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "modeling/scene/build.h"
-#include "sim/dynamics/simulation.h"
-#include "sim/take/frame_times.h"
 #include "tests/ui/window_scenes.h"
 #include "ui/timeline/play_actions.h"
 #include "ui/viewport/viewport.h"
@@ -38,18 +35,6 @@ struct LiveFixture : tests::SessionFixture {
   }
 };
 
-/// A run of the scene from the start, without a window.
-std::uint64_t hashOfHeadlessRun(const Scene& scene) {
-  auto built = modeling::build(scene, {});
-  REQUIRE(built);
-  auto simulation = sim::Simulation::create(built->network, std::move(built->conditions.environment),
-                                            std::move(built->conditions.tracks), built->conditions.settings);
-  REQUIRE(simulation);
-  while (!sim::hasReached((*simulation)->time(), (*simulation)->step(), scene.output.duration))
-    REQUIRE((*simulation)->stepOnce());
-  return (*simulation)->stateHash();
-}
-
 Scene longSlab() {
   Scene scene = tests::fallingSlab();
   scene.output = {100.0, 0.4};
@@ -72,7 +57,7 @@ TEST_CASE("A sneeze that was performed becomes keys, and replays to the same bit
   CHECK(track.keys[2].time - track.keys[1].time == Approx(0.1));
   REQUIRE(fixture.session.takes().size() == 1);
   CHECK_FALSE(fixture.session.takes()[0].stale);
-  CHECK(hashOfHeadlessRun(scene) == fixture.session.run()->stateHash);
+  CHECK(tests::hashOfHeadlessRun(scene) == fixture.session.run()->stateHash);
   // It is one step of the history.
   fixture.session.document().undoStack().undo();
   CHECK(fixture.session.document().scene() == longSlab());
@@ -87,8 +72,8 @@ TEST_CASE("A knock is a collider that comes and goes, and replays to the same bi
   const Scene& scene = fixture.session.document().scene();
   REQUIRE(scene.environment.colliders.size() == 2);
   CHECK_FALSE(scene.environment.colliders[1].visible);
-  CHECK(hashOfHeadlessRun(scene) == fixture.session.run()->stateHash);
-  CHECK(hashOfHeadlessRun(scene) != hashOfHeadlessRun(longSlab()));
+  CHECK(tests::hashOfHeadlessRun(scene) == fixture.session.run()->stateHash);
+  CHECK(tests::hashOfHeadlessRun(scene) != tests::hashOfHeadlessRun(longSlab()));
 }
 
 TEST_CASE("Without a run a hiccup begins one") {
@@ -99,7 +84,7 @@ TEST_CASE("Without a run a hiccup begins one") {
   const Scene& scene = fixture.session.document().scene();
   REQUIRE(scene.tracks.size() == 1);
   CHECK(scene.tracks[0].target.target == TrackTarget::gravityScale);
-  CHECK(hashOfHeadlessRun(scene) == fixture.session.run()->stateHash);
+  CHECK(tests::hashOfHeadlessRun(scene) == fixture.session.run()->stateHash);
 }
 
 TEST_CASE("What is performed with Record off leaves the scene alone") {

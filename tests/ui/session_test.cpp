@@ -2,55 +2,22 @@
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
-#include <QTest>
-#include <functional>
 
 #include <catch2/catch.hpp>
+
+#include "tests/ui/window_scenes.h"
 
 namespace {
 
 using modeling::Scene;
-
-/// A small slab that falls on a floor and lies there.
-Scene fallingSlab() {
-  Scene scene;
-  modeling::SceneMaterial material;
-  material.name = "rubber";
-  material.values.name = "rubber";
-  material.values.youngsModulus = 1e7;
-  scene.materials.push_back(material);
-  modeling::Part part;
-  part.name = "slab";
-  part.material = "rubber";
-  part.shape = modeling::SlabShape{sim::Vec3(3.0, 3.0, 1.0), {1.0, {}}};
-  part.worldFromPart.position.z() = 1.0;
-  scene.parts.push_back(part);
-  modeling::SceneCollider floor;
-  floor.name = "floor";
-  floor.form = modeling::FloorShape{};
-  scene.environment.colliders.push_back(floor);
-  scene.output = {100.0, 0.1};
-  return scene;
-}
-
-/// Waits for other threads, with the event loop running; a minute is for machines under a sanitizer.
-bool becomesTrue(const std::function<bool()>& condition) {
-  return QTest::qWaitFor(condition, 60000);
-}
+using tests::becomesTrue;
+using tests::fallingSlab;
 
 bool isDone(const ui::Session& session) {
   return session.run()->phase == ui::RunPhase::done;
 }
 
-struct Fixture {
-  QTemporaryDir folder;
-  ui::Session session{std::filesystem::path(folder.path().toStdString())};
-
-  void simulateToEnd() {
-    session.simulate();
-    REQUIRE(becomesTrue([&] { return isDone(session); }));
-  }
-};
+using Fixture = tests::SessionFixture;
 
 TEST_CASE("A scene is built by itself and shown at rest") {
   Fixture fixture;

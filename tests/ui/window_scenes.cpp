@@ -4,6 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "modeling/scene/build.h"
+#include "sim/dynamics/simulation.h"
+#include "sim/take/frame_times.h"
 #include "tests/support/grid_network.h"
 
 namespace tests {
@@ -37,6 +40,17 @@ modeling::Scene breakingSlab() {
   scene.parts[0].worldFromPart.position.z() = 3.0;
   scene.output = {400.0, 0.03};
   return scene;
+}
+
+std::uint64_t hashOfHeadlessRun(const modeling::Scene& scene) {
+  auto built = modeling::build(scene, {});
+  REQUIRE(built);
+  auto simulation = sim::Simulation::create(built->network, std::move(built->conditions.environment),
+                                            std::move(built->conditions.tracks), built->conditions.settings);
+  REQUIRE(simulation);
+  while (!sim::hasReached((*simulation)->time(), (*simulation)->step(), scene.output.duration))
+    REQUIRE((*simulation)->stepOnce());
+  return (*simulation)->stateHash();
 }
 
 std::shared_ptr<ui::Footage> stillFootage(const std::vector<double>& times,

@@ -15,6 +15,9 @@ modeling::Scene fallingSlab();
 /// A brittle one, thrown down, that breaks.
 modeling::Scene breakingSlab();
 
+/// A run of the scene from the start, without a window.
+std::uint64_t hashOfHeadlessRun(const modeling::Scene& scene);
+
 /// A take of frames at these times, in none of which anything moves; `breaks` bonds broke in each.
 std::shared_ptr<ui::Footage> stillFootage(const std::vector<double>& times,
                                           const std::vector<std::size_t>& breaks = {});
