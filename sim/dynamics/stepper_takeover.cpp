@@ -32,6 +32,7 @@ void Stepper::takeOver(Stepper& other) {
     ledger_.addOutsideWork(potentialEnergy() - before);
     ledger_.addOutsideWork(
         ledger_.gravityWork(now_.position, other.controls_.gravity(), controls_.gravity()));
+    ledger_.forgetKept();
   });
 }
 

@@ -234,9 +234,11 @@ TEST_CASE("whatever may change, the run goes on soundly") {
   REQUIRE(other.changed);
   checkNear(*other.simulation, *take, 9);
   const double before = unexplained(*other.simulation);
+  const double rise = other.simulation->maxRise();
   const sim::Status ran = other.simulation->advanceTo(0.02);
   if (!ran) FAIL(ran.problem().line());
   CHECK(unexplained(*other.simulation) < before + 0.03);
+  CHECK(other.simulation->maxRise() < rise + 0.03);
   // And can be resumed.
   const std::vector<std::byte> checkpoint = other.simulation->checkpoint();
   const std::uint64_t hash = other.simulation->stateHash();

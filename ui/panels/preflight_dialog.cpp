@@ -145,25 +145,24 @@ void PreflightDialog::tick() {
   timer_.stop();
   busy_->hide();
   shown_ = true;
-  if (const std::optional<Preflight> flight = run_.result()) showFlight(*flight);
+  if (const std::optional<modeling::Preflight> flight = run_.result()) showFlight(*flight);
   if (const std::optional<sim::Problem> problem = run_.problem()) showProblem(*problem);
 }
 
-void PreflightDialog::showFlight(const Preflight& flight) {
+void PreflightDialog::showFlight(const modeling::Preflight& flight) {
   const Colours& colours = Theme::instance().colours();
   size_->setText(tr("%L1 nodes, %L2 bonds, %L3 cells").arg(flight.nodes).arg(flight.bonds).arg(flight.cells));
   const QString used = quantityText(flight.step, Dimension::time, 3);
   const QString stable = quantityText(flight.stableStep, Dimension::time, 3);
   step_->setText(flight.step == flight.stableStep ? tr("%1, stable").arg(used)
                                                   : tr("%1, stable up to %2").arg(used, stable));
-  second_->setText(roughTime(flight.clockForSecond));
-  clock_->setText(tr("%1, %L2 steps").arg(roughTime(flight.clockForRun)).arg(flight.steps, 0, 'f', 0));
+  second_->setText(roughTime(flight.wallSecondsPerSecond));
+  clock_->setText(tr("%1, %L2 steps").arg(roughTime(flight.wallSeconds)).arg(flight.steps, 0, 'f', 0));
   memory_->setText(roughSize(static_cast<double>(flight.memoryBytes)));
   take_->setText(tr("about %1").arg(roughSize(flight.takeBytes)));
-  breaking_->setText(flight.bondsBreakingAtRest == 0 ? tr("none")
-                                                     : QString::number(flight.bondsBreakingAtRest));
-  const bool wrong = flight.bondsBreakingAtRest > 0 || flight.step > flight.stableStep;
-  const bool slow = flight.clockForRun > kLongRun;
+  breaking_->setText(flight.brokenAtRestCount == 0 ? tr("none") : QString::number(flight.brokenAtRestCount));
+  const bool wrong = flight.brokenAtRestCount > 0 || flight.step > flight.stableStep;
+  const bool slow = flight.wallSeconds > kLongRun;
   verdict_->setStyleSheet(colouredBy(wrong ? colours.bad : slow ? colours.warning : colours.good));
   if (flight.step > flight.stableStep)
     verdict_->setText(tr("The step is too long to be stable: set it to auto."));
@@ -172,9 +171,9 @@ void PreflightDialog::showFlight(const Preflight& flight) {
         tr("Something breaks before it moves: raise the threshold, or let parts meet without strain."));
   else if (slow)
     verdict_->setText(tr("This will take %1. Larger cells or a softer material make it faster.")
-                          .arg(roughTime(flight.clockForRun)));
+                          .arg(roughTime(flight.wallSeconds)));
   else
-    verdict_->setText(tr("Ready: done in %1.").arg(roughTime(flight.clockForRun)));
+    verdict_->setText(tr("Ready: done in %1.").arg(roughTime(flight.wallSeconds)));
 }
 
 void PreflightDialog::showProblem(const sim::Problem& problem) {
