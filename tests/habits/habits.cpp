@@ -179,6 +179,8 @@ Offences parallelLoopsOfTheirOwn(const std::vector<File>& tree) {
 Offences notesToSelf(const std::vector<File>& tree) {
   Offences offences;
   for (const File& file : tree) {
+    // In a compressed picture any three letters turn up.
+    if (file.path.ends_with(".png")) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       for (const std::string_view note : kNotes) {
         if (holdsWord(file.lines[i], note)) {
