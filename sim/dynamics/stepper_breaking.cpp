@@ -28,6 +28,8 @@ std::vector<Breakage::Overstretched> Stepper::findOverstretched(const Motion& mo
     if (!reports_[block].suspect) continue;
     const std::size_t end = std::min(network_.nodeCount(), (block + 1) * kBlockNodes);
     for (auto node = static_cast<NodeIndex>(block * kBlockNodes); node < end; ++node) {
+      // Nodes of rigid bodies are not where the bodies are until someone looks.
+      if (!fragments_.activity().nodeDeforms(node)) continue;
       for (BondIndex bond = network_.firstBond[node]; bond < network_.firstBond[node + 1]; ++bond) {
         if (breakage_.bondBroken(bond)) continue;
         const double limit =
