@@ -1,5 +1,6 @@
 #include "app/cli/export_command.h"
 
+#include <iostream>
 #include <memory>
 #include <string>
 
@@ -27,8 +28,13 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
     progress.show(share);
     return true;
   };
-  return format.write(take,
-                      {.path = path, .firstFrame = range.first, .lastFrame = range.last, .progress = show});
+  std::string remarks;
+  const auto remark = [&](const std::string& text) { remarks += text + "\n"; };
+  auto status = format.write(
+      take,
+      {.path = path, .firstFrame = range.first, .lastFrame = range.last, .progress = show, .remark = remark});
+  if (status) std::cout << remarks;
+  return status;
 }
 
 ExitStatus exportTake(const ExportOptions& options) {

@@ -9,6 +9,7 @@ namespace modeling {
 
 const std::vector<ExportFormat>& exportFormats() {
   static const std::vector<ExportFormat> kFormats{
+      {"glb", "fragments as rigid pieces that move, for Blender and others (glTF 2.0)", writeGlb},
       {"xyz", "positions and velocities of all nodes (extended XYZ)", writeXyz},
       {"obj", "the surface of each frame (Wavefront OBJ)", writeObj},
   };

@@ -16,6 +16,8 @@ struct ExportRequest {
   std::size_t lastFrame = 0;  ///< inclusive, below the take's frame count
   /// Told the share that is done; answers false to cancel. Files that are whole by then stay.
   std::function<bool(double)> progress;
+  /// Told, in a sentence, what a person should know of what was written.
+  std::function<void(const std::string&)> remark = {};
 };
 
 /// A file format that takes can be written in. Every file appears whole or not at all.
@@ -40,6 +42,21 @@ sim::Status writeXyz(const sim::TakeReader& take, const ExportRequest& request);
 /// says, or the path itself for a single frame, and one .mtl for all. cm, z up; a group a fragment; vertex
 /// normals; materials MATERIAL_outside and MATERIAL_inside.
 sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request);
+
+/// With more fragments than this a .glb has one skin instead of a node with a mesh for each: programs that
+/// read it take minutes for thousands of objects, and a second for thousands of joints.
+inline constexpr std::size_t kMostFragmentNodes = 500;
+/// How far any point of a rigid piece in a .glb may be from where all frames as keys would have it, cm. Half
+/// of what single precision keeps of a scene ten metres wide.
+inline constexpr double kKeyTolerance = 5e-5;
+
+/// glTF 2.0, binary (.glb): metres, y up. The fragments of the last frame, split where they will break, from
+/// the first frame on; each a node "fragment_ID" that moves as the rigid motion that fits its nodes best, how
+/// well is told and stands in its `extras`, with id, parent, birth time, mass, part and frames a second.
+/// Materials MATERIAL_outside and MATERIAL_inside, vertex normals. COLOR_0 is white; its alpha, which opaque
+/// materials do not show, is 1 minus the damage of the last frame (damage.h). Keys are left out within
+/// kKeyTolerance.
+sim::Status writeGlb(const sim::TakeReader& take, const ExportRequest& request);
 
 /// "folder/name.png" and 12 -> "folder/name.0012.png".
 std::filesystem::path numberedPath(const std::filesystem::path& path, std::size_t number);

@@ -8,18 +8,15 @@
 #include <sstream>
 
 #include <Eigen/Geometry>
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
 #include "sim/network/surface_mesh.h"
 #include "tests/support/grid_network.h"
 #include "tests/support/memory_take.h"
-
-#ifdef SMITHEREENS_WITH_ASSIMP
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-#endif
 
 namespace {
 
@@ -178,7 +175,6 @@ TEST_CASE("a single frame goes into the file as named") {
   CHECK(PlainObj(path).groups.size() == 2);
 }
 
-#ifdef SMITHEREENS_WITH_ASSIMP
 TEST_CASE("another program's reader finds the same faces, normals and materials") {
   const Scratch scratch;
   const auto path = scratch.folder / "one.obj";
@@ -198,7 +194,6 @@ TEST_CASE("another program's reader finds the same faces, normals and materials"
   CHECK(faces == PlainObj(path).faces);
   CHECK(materials == std::set<std::string>{"test_inside", "test_outside"});
 }
-#endif
 
 TEST_CASE("what cannot be written is a problem that names the file, and leaves nothing") {
   const MemoryTake take = breakingBar();

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/dynamics/snapshot.h"
+#include "sim/network/network.h"
+
+namespace modeling {
+
+/// For each node the share of its bonds that are broken, 0 (whole) to 1 (loose); 0 for a node without bonds.
+std::vector<double> damageOfNodes(const sim::Network& network, const sim::Snapshot& moment);
+
+}  // namespace modeling

@@ -1,0 +1,104 @@
+#include "modeling/exchange/rigid_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SVD>
+
+namespace modeling {
+
+namespace {
+
+/// Share of the moments that the pose before weighs: turns what the points leave open, and turns what they
+/// determine by less than a billionth of the step between two frames.
+constexpr double kMemory = 1e-9;
+
+Vec3 meanOf(const std::vector<sim::NodeIndex>& nodes, const std::vector<Vec3>& positions) {
+  Vec3 sum = Vec3::Zero();
+  for (const sim::NodeIndex node : nodes) sum += positions[node];
+  return sum / static_cast<double>(nodes.size());
+}
+
+}  // namespace
+
+Eigen::Quaterniond bestRotation(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
+                                const Eigen::Quaterniond& before) {
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  double size = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    moments += to[i] * from[i].transpose();
+    size += to[i].norm() * from[i].norm();
+  }
+  if (!(size > 0.0)) return before;
+  moments += kMemory * size * before.toRotationMatrix();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moments, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d handed = Eigen::Matrix3d::Identity();
+  handed(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  Eigen::Quaterniond rotation(Eigen::Matrix3d(svd.matrixU() * handed * svd.matrixV().transpose()));
+  rotation.normalize();
+  // The same rotation by its other sign would look like a turn by 360 degrees to who interpolates.
+  if (rotation.dot(before) < 0.0) rotation.coeffs() = -rotation.coeffs();
+  return rotation;
+}
+
+std::vector<FinalFragment> finalFragments(const sim::Snapshot& first, const sim::Snapshot& last) {
+  std::vector<FinalFragment> result;
+  for (const sim::Fragment& fragment : last.fragments) {
+    FinalFragment& made = result.emplace_back();
+    made.fragment = fragment;
+  }
+  std::sort(result.begin(), result.end(), [](const FinalFragment& left, const FinalFragment& right) {
+    return left.fragment.id < right.fragment.id;
+  });
+  for (sim::NodeIndex node = 0; node < last.fragmentOfNode.size(); ++node) {
+    const auto found = std::lower_bound(
+        result.begin(), result.end(), last.fragmentOfNode[node],
+        [](const FinalFragment& fragment, sim::FragmentId id) { return fragment.fragment.id < id; });
+    if (found != result.end() && found->fragment.id == last.fragmentOfNode[node])
+      found->nodes.push_back(node);
+  }
+  std::erase_if(result, [](const FinalFragment& fragment) { return fragment.nodes.empty(); });
+  for (FinalFragment& fragment : result) {
+    fragment.origin = meanOf(fragment.nodes, first.positions);
+    for (const sim::NodeIndex node : fragment.nodes)
+      fragment.radius = std::max(fragment.radius, (first.positions[node] - fragment.origin).norm());
+  }
+  return result;
+}
+
+double FitResidual::rootMeanSquare() const {
+  return count == 0 ? 0.0 : std::sqrt(sumOfSquares / static_cast<double>(count));
+}
+
+void FitResidual::add(double distance) {
+  sumOfSquares += distance * distance;
+  largest = std::max(largest, distance);
+  ++count;
+}
+
+void FitResidual::add(const FitResidual& other) {
+  sumOfSquares += other.sumOfSquares;
+  largest = std::max(largest, other.largest);
+  count += other.count;
+}
+
+RigidMotion::RigidMotion(const FinalFragment& fragment, const sim::Snapshot& first) : fragment_(&fragment) {
+  for (const sim::NodeIndex node : fragment.nodes) local_.push_back(first.positions[node] - fragment.origin);
+}
+
+void RigidMotion::follow(const sim::Snapshot& frame) {
+  Pose pose;
+  pose.position = meanOf(fragment_->nodes, frame.positions);
+  if (poses_.empty()) {
+    poses_.push_back(pose);
+    return;
+  }
+  std::vector<Vec3> now;
+  now.reserve(local_.size());
+  for (const sim::NodeIndex node : fragment_->nodes) now.push_back(frame.positions[node] - pose.position);
+  pose.rotation = bestRotation(local_, now, poses_.back().rotation);
+  for (std::size_t i = 0; i < now.size(); ++i) residual_.add((now[i] - pose.rotation * local_[i]).norm());
+  poses_.push_back(pose);
+}
+
+}  // namespace modeling

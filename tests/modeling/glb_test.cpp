@@ -1,0 +1,174 @@
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "modeling/exchange/export.h"
+#include "tests/sim/take_sample.h"
+#include "tests/support/flying_pieces.h"
+#include "tests/support/point_sets.h"
+
+/// glTF files, read back by assimp.
+namespace {
+
+using sim::Vec3;
+using Points = std::map<sim::FragmentId, std::vector<Vec3>>;
+
+std::filesystem::path written(const tests::ScratchFolder& scratch, const tests::MemoryTake& take,
+                              std::string* remark = nullptr) {
+  const auto path = scratch.file("pieces.glb");
+  modeling::ExportRequest request{.path = path, .lastFrame = take.frameCount() - 1, .progress = {}};
+  if (remark != nullptr) request.remark = [remark](const std::string& text) { *remark = text; };
+  REQUIRE(modeling::writeGlb(take, request).ok());
+  return path;
+}
+
+/// A node's animated transform, by what glTF says of keys.
+aiMatrix4x4 localAt(const aiScene& scene, const aiNode& node, double seconds) {
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+    const aiAnimation& animation = *scene.mAnimations[a];
+    for (unsigned c = 0; c < animation.mNumChannels; ++c) {
+      const aiNodeAnim& channel = *animation.mChannels[c];
+      if (channel.mNodeName != node.mName) continue;
+      const double ticks = seconds * animation.mTicksPerSecond;
+      const auto between = [&](const auto* keys, unsigned count, const auto& mix) {
+        unsigned next = 0;
+        while (next < count && keys[next].mTime < ticks) ++next;
+        if (next == 0) return keys[0].mValue;
+        if (next == count) return keys[count - 1].mValue;
+        const double span = keys[next].mTime - keys[next - 1].mTime;
+        return mix(keys[next - 1].mValue, keys[next].mValue,
+                   static_cast<float>((ticks - keys[next - 1].mTime) / span));
+      };
+      const aiVector3D position =
+          between(channel.mPositionKeys, channel.mNumPositionKeys,
+                  [](const aiVector3D& p, const aiVector3D& q, float t) { return p + (q - p) * t; });
+      const aiQuaternion rotation = between(channel.mRotationKeys, channel.mNumRotationKeys,
+                                            [](const aiQuaternion& p, const aiQuaternion& q, float t) {
+                                              aiQuaternion mixed;
+                                              aiQuaternion::Interpolate(mixed, p, q, t);
+                                              return mixed;
+                                            });
+      return {aiVector3D(1, 1, 1), rotation, position};
+    }
+  }
+  return node.mTransformation;
+}
+
+aiMatrix4x4 globalAt(const aiScene& scene, const aiNode& node, double seconds) {
+  const aiMatrix4x4 local = localAt(scene, node, seconds);
+  return node.mParent == nullptr ? local : globalAt(scene, *node.mParent, seconds) * local;
+}
+
+/// Metres, y up, to centimetres, z up.
+Vec3 ours(const aiVector3D& v) {
+  return 100.0 * Vec3(static_cast<double>(v.x), -static_cast<double>(v.z), static_cast<double>(v.y));
+}
+
+sim::FragmentId idOf(const std::string& name) {
+  REQUIRE(name.starts_with("fragment_"));
+  return static_cast<sim::FragmentId>(std::stoul(name.substr(9)));
+}
+
+void addNode(const aiScene& scene, const aiNode& node, double seconds, Points& points) {
+  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
+    if (mesh.HasBones()) {
+      for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+        const aiBone& bone = *mesh.mBones[b];
+        const aiNode* joint = scene.mRootNode->FindNode(bone.mName);
+        REQUIRE(joint != nullptr);
+        const aiMatrix4x4 moved = globalAt(scene, *joint, seconds) * bone.mOffsetMatrix;
+        for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+          if (bone.mWeights[w].mWeight < 0.5F) continue;
+          points[idOf(bone.mName.C_Str())].push_back(
+              ours(moved * mesh.mVertices[bone.mWeights[w].mVertexId]));
+        }
+      }
+      continue;
+    }
+    const aiMatrix4x4 moved = globalAt(scene, node, seconds);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+      points[idOf(node.mName.C_Str())].push_back(ours(moved * mesh.mVertices[v]));
+  }
+  for (unsigned child = 0; child < node.mNumChildren; ++child)
+    addNode(scene, *node.mChildren[child], seconds, points);
+}
+
+void checkFrames(const tests::MemoryTake& take, const aiScene& scene) {
+  for (std::size_t frame = 0; frame < take.frameCount(); ++frame) {
+    Points read;
+    addNode(scene, *scene.mRootNode, take.frameTime(frame), read);
+    const auto expected = tests::pointsByFragment(tests::surfaceOfPieces(take, frame));
+    REQUIRE(read.size() == expected.size());
+    double worst = 0.0;
+    for (const auto& [id, points] : expected) worst = std::max(worst, tests::apart(points, read[id]));
+    CHECK(worst < 1e-4);
+  }
+}
+
+TEST_CASE("another program finds every piece of a glb where it flies, frame by frame") {
+  const tests::MemoryTake take = tests::flyingPieces(4, 25);
+  const tests::ScratchFolder scratch;
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(written(scratch, take).string(), aiProcess_ValidateDataStructure);
+  INFO(importer.GetErrorString());
+  REQUIRE(scene != nullptr);
+  std::set<std::string> materials;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m)
+    materials.insert(scene->mMaterials[scene->mMeshes[m]->mMaterialIndex]->GetName().C_Str());
+  CHECK(materials == std::set<std::string>{"test_inside", "test_outside"});
+  checkFrames(take, *scene);
+}
+
+TEST_CASE("with more fragments than programs take as objects, a glb has one skin that moves alike") {
+  const tests::MemoryTake take = tests::flyingPieces(modeling::kMostFragmentNodes + 1, 5);
+  const tests::ScratchFolder scratch;
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(written(scratch, take).string(), 0);
+  INFO(importer.GetErrorString());
+  REQUIRE(scene != nullptr);
+  CHECK(scene->mNumMeshes == 2);
+  checkFrames(take, *scene);
+}
+
+nlohmann::json jsonOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  REQUIRE(bytes.size() > 20);
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 12, sizeof(length));
+  REQUIRE(20 + length <= bytes.size());
+  return nlohmann::json::parse(bytes.substr(20, length));
+}
+
+TEST_CASE("a glb says of each fragment who it is, and of the whole how well it fits") {
+  const tests::MemoryTake take = tests::flyingPieces(4, 25);
+  const tests::ScratchFolder scratch;
+  std::string remark;
+  const auto json = jsonOf(written(scratch, take, &remark));
+  CHECK(remark.starts_with("4 fragments"));
+  const auto& nodes = json.at("nodes");
+  REQUIRE(nodes.size() == 5);
+  CHECK(nodes[0].at("extras").at("frames_per_second") == 24.0);
+  CHECK(nodes[0].at("extras").at("fit_residual_max_cm") < 1e-9);
+  CHECK(nodes[1].at("extras").at("parent").is_null());
+  for (std::size_t piece = 0; piece < 4; ++piece) {
+    const auto& node = nodes[piece + 1];
+    CHECK(node.at("name") == "fragment_" + std::to_string(piece));
+    CHECK(node.at("extras").at("id") == piece);
+    CHECK(node.at("extras").at("mass_g") == 8.0 + static_cast<double>(piece));
+    CHECK(node.at("extras").at("birth_time_s") == (piece == 0 ? 0.0 : 0.01));
+  }
+  const auto& attributes = json.at("meshes")[0].at("primitives")[0].at("attributes");
+  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"}) CHECK(attributes.contains(name));
+  // The first lies still and the other three need both channels.
+  CHECK(json.at("animations")[0].at("channels").size() == 6);
+}
+
+}  // namespace

@@ -1,0 +1,84 @@
+#include <fstream>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "modeling/exchange/export.h"
+#include "tests/support/flying_pieces.h"
+#include "tests/support/point_sets.h"
+#include "tests/support/run_program.h"
+
+/// What Blender makes of our files, where it is installed.
+namespace {
+
+using sim::Vec3;
+
+bool haveBlender() {
+  // Its importer of glTF needs numpy, which Debian installs apart.
+  static const int kStatus =
+      tests::runCommand("blender --background --python-exit-code 3 --python-expr 'import numpy'").status;
+  if (kStatus == 0) return true;
+  WARN("blender or python3-numpy is not installed: what Blender makes of our files was not tested");
+  return false;
+}
+
+/// Everything that is to be seen in Blender: the points of each object in each frame, cm.
+struct Seen {
+  double rate = 0.0;
+  int firstFrame = -1, lastFrame = -1;
+  std::vector<std::map<std::string, std::vector<Vec3>>> frames;
+};
+
+Seen seenInBlender(const std::string& file, std::size_t frames) {
+  const std::string out = file + ".txt";
+  const auto answer = tests::runCommand(
+      "blender --background --factory-startup --python-exit-code 3 --python \"" SMITHEREENS_SOURCE_DIR
+      "/tests/readers/read_animation.py\" -- \"" +
+      file + "\" " + std::to_string(frames) + " \"" + out + "\"");
+  INFO(answer.output << answer.errors);
+  REQUIRE(answer.status == 0);
+  Seen seen;
+  seen.frames.resize(frames);
+  std::ifstream stream(out);
+  std::string word;
+  stream >> word >> seen.rate >> seen.firstFrame >> seen.lastFrame;
+  std::size_t frame = 0;
+  Vec3 point;
+  while (stream >> frame >> word >> point.x() >> point.y() >> point.z())
+    seen.frames.at(frame)[word].push_back(point);
+  return seen;
+}
+
+TEST_CASE("Blender plays a glb as it was recorded, object by object and frame by frame") {
+  if (!haveBlender()) return;
+  const tests::MemoryTake take = tests::flyingPieces(4, 25);
+  const std::string file = tests::freshFolder("smithereens-blender") + "/pieces.glb";
+  REQUIRE(modeling::writeGlb(take, {.path = file, .lastFrame = 24, .progress = {}}).ok());
+  const Seen seen = seenInBlender(file, 25);
+  CHECK(seen.rate == Approx(24.0));
+  CHECK(seen.firstFrame == 0);
+  CHECK(seen.lastFrame == 24);
+  double worst = 0.0;
+  for (std::size_t frame = 0; frame < 25; ++frame) {
+    const auto expected = tests::pointsByFragment(tests::surfaceOfPieces(take, frame));
+    REQUIRE(seen.frames[frame].size() == expected.size());
+    for (const auto& [id, points] : expected)
+      worst = std::max(worst, tests::apart(points, seen.frames[frame].at("fragment_" + std::to_string(id))));
+  }
+  CHECK(worst < 1e-4);
+}
+
+TEST_CASE("Blender plays a skin of many fragments as it was recorded") {
+  if (!haveBlender()) return;
+  const tests::MemoryTake take = tests::flyingPieces(modeling::kMostFragmentNodes + 1, 4);
+  const std::string file = tests::freshFolder("smithereens-blender") + "/pieces.glb";
+  REQUIRE(modeling::writeGlb(take, {.path = file, .lastFrame = 3, .progress = {}}).ok());
+  const Seen seen = seenInBlender(file, 4);
+  for (std::size_t frame = 0; frame < 4; ++frame) {
+    const sim::SurfaceMesh expected = tests::surfaceOfPieces(take, frame);
+    REQUIRE(seen.frames[frame].size() == 1);
+    CHECK(tests::apart(expected.points, seen.frames[frame].begin()->second) < 1e-4);
+  }
+}
+
+}  // namespace

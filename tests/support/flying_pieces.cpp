@@ -1,0 +1,97 @@
+#include "tests/support/flying_pieces.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "sim/base/random.h"
+#include "tests/support/grid_network.h"
+
+namespace tests {
+
+namespace {
+
+using sim::Vec3;
+
+constexpr double kFramesPerSecond = 24.0;
+
+/// Which piece a corner of the bar belongs to.
+std::size_t pieceAt(const Vec3& corner) {
+  return static_cast<std::size_t>(corner.z()) / 2;
+}
+
+/// Nodes of a piece stand in layers of two.
+std::size_t pieceOf(sim::NodeIndex node, std::size_t pieces) {
+  const std::size_t layers = 2 * pieces;
+  return node % layers / 2;
+}
+
+/// Folds the bar up into a block, so that a thousand pieces are no longer than single precision carries.
+/// What lies between the pieces is stretched, and breaks.
+Vec3 folded(const Vec3& corner) {
+  const auto piece = static_cast<double>(pieceAt(corner));
+  const double row = std::floor(piece / 10.0);
+  return {corner.x() + 2.0 * std::fmod(piece, 10.0), corner.y() + 2.0 * std::fmod(row, 10.0),
+          std::fmod(corner.z(), 2.0) + 2.0 * std::floor(row / 10.0)};
+}
+
+/// Where a piece is after `time` seconds: thrown, and spinning at up to a turn a second about any axis.
+Eigen::Isometry3d moved(std::size_t piece, double time) {
+  Eigen::Isometry3d now = Eigen::Isometry3d::Identity();
+  if (piece == 0) return now;
+  const auto random = [&](std::uint64_t which) { return sim::uniformAt(piece, which) - 0.5; };
+  const Vec3 centre = folded(Vec3(0.0, 0.0, 2.0 * static_cast<double>(piece))) + Vec3::Constant(0.5);
+  const Vec3 axis = Vec3(random(0), random(1), random(2) + 1.0).normalized();
+  const Vec3 thrown(30.0 * random(3), 30.0 * random(4), 100.0);
+  now.translate(Vec3(centre + time * thrown - 0.5 * time * time * 981.0 * Vec3::UnitZ()));
+  now.rotate(Eigen::AngleAxisd(12.0 * random(5) * time, axis));
+  now.translate(Vec3(-centre));
+  return now;
+}
+
+sim::Snapshot frameOf(const sim::Network& network, std::size_t pieces, std::size_t number) {
+  sim::Snapshot frame = sim::momentAtRest(network);
+  frame.time = static_cast<double>(number) / kFramesPerSecond;
+  frame.stepCount = number;
+  for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    const std::size_t piece = pieceOf(node, pieces);
+    frame.positions[node] = moved(piece, frame.time) * network.positions[node];
+    if (number > 0) frame.fragmentOfNode[node] = static_cast<sim::FragmentId>(piece);
+  }
+  if (number == 0) {
+    frame.fragments = {{.id = 0, .nodeCount = static_cast<std::uint32_t>(network.nodeCount())}};
+    return frame;
+  }
+  for (sim::CellIndex cell = 1; cell < network.cellCount(); cell += 2) frame.brokenCells[cell] = 1;
+  for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
+    for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
+      const bool between = frame.fragmentOfNode[a] != frame.fragmentOfNode[network.bondEnds[bond]];
+      frame.brokenBonds[bond] = between ? 1 : 0;
+    }
+  }
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    frame.fragments.push_back({.id = static_cast<sim::FragmentId>(piece),
+                               .parent = piece == 0 ? sim::kNone : 0U,
+                               .born = piece == 0 ? 0.0 : 0.01,
+                               .nodeCount = 8,
+                               .mass = 8.0 + static_cast<double>(piece)});
+  }
+  return frame;
+}
+
+}  // namespace
+
+MemoryTake flyingPieces(std::size_t pieces, std::size_t frames) {
+  const sim::Network network = gridNetwork(1, 1, 2 * static_cast<unsigned>(pieces) - 1, folded);
+  std::vector<sim::Snapshot> made;
+  for (std::size_t number = 0; number < frames; ++number) made.push_back(frameOf(network, pieces, number));
+  return {network, std::move(made)};
+}
+
+sim::SurfaceMesh surfaceOfPieces(const MemoryTake& take, std::size_t frame) {
+  sim::Snapshot moment = **take.frame(take.frameCount() - 1);
+  moment.positions = (*take.frame(frame))->positions;
+  return sim::SurfaceBuilder(take.network()).build(moment);
+}
+
+}  // namespace tests
