@@ -12,6 +12,10 @@ const std::vector<ExportFormat>& exportFormats() {
       {"glb", "fragments as rigid pieces that move, for Blender and others (glTF 2.0)", writeGlb},
       {"xyz", "positions and velocities of all nodes (extended XYZ)", writeXyz},
       {"obj", "the surface of each frame (Wavefront OBJ)", writeObj},
+      {"ply", "the surface of each frame, with damage and fragments (binary PLY)", writePly},
+      {"pc2", "the surface with all its breaks from the start, deforming (point cache and OBJ)", writePc2},
+      {"vtk", "nodes, bonds and their strain, for ParaView (.vtu and .pvd)", writeVtk},
+      {"csv", "tables of fragments, breaks and energies", writeCsv},
   };
   return kFormats;
 }

@@ -43,6 +43,25 @@ sim::Status writeXyz(const sim::TakeReader& take, const ExportRequest& request);
 /// normals; materials MATERIAL_outside and MATERIAL_inside.
 sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request);
 
+/// PLY, binary: the surface, one file a frame. cm, z up. Vertices have normals and `damage` (damage.h), faces
+/// `fragment`, `material` (numbers that the head explains) and `inside`.
+sim::Status writePly(const sim::TakeReader& take, const ExportRequest& request);
+
+/// Point cache (.pc2) with the .obj and .mtl of the same name that it moves: the surface of all frames with
+/// the breaks of the last, so that its points are the same ones throughout, deformed. cm, z up; a sample a
+/// frame; the head of the .obj states the frames a second.
+sim::Status writePc2(const sim::TakeReader& take, const ExportRequest& request);
+
+/// VTK: a .vtu a frame and a .pvd that puts them in time. Nodes with `velocity`, `fragment` and `damage`;
+/// bonds as lines with `strain`, against the rest length they had before any plastic flow, `broken` and
+/// `material`. cm, z up.
+sim::Status writeVtk(const sim::TakeReader& take, const ExportRequest& request);
+
+/// Comma-separated tables with units in their heads. NAME.csv: each fragment in each frame, where its centre
+/// of mass is, how it is turned since the first exported frame (as nearly as its nodes' best fit says), and
+/// its velocities; NAME.events.csv: breaks; NAME.ledger.csv: energies and momenta.
+sim::Status writeCsv(const sim::TakeReader& take, const ExportRequest& request);
+
 /// With more fragments than this a .glb has one skin instead of a node with a mesh for each: programs that
 /// read it take minutes for thousands of objects, and a second for thousands of joints.
 inline constexpr std::size_t kMostFragmentNodes = 500;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "modeling/exchange/frame_loop.h"
 #include "sim/base/parallel.h"
 
 namespace modeling {
@@ -22,15 +23,6 @@ std::vector<double> frameTimes(const sim::TakeReader& take, const ExportRequest&
   return regular ? whole : exact;
 }
 
-sim::Snapshot splitAtStart(const sim::Snapshot& first, const sim::Snapshot& last) {
-  sim::Snapshot split = last;
-  split.time = first.time;
-  split.stepCount = first.stepCount;
-  split.positions = first.positions;
-  split.velocities = first.velocities;
-  return split;
-}
-
 }  // namespace
 
 sim::Result<FragmentMotion> fragmentMotion(const sim::TakeReader& take, const ExportRequest& request,
@@ -46,14 +38,13 @@ sim::Result<FragmentMotion> fragmentMotion(const sim::TakeReader& take, const Ex
   motion.split = splitAtStart(**first, **last);
   std::vector<RigidMotion> fits;
   for (const FinalFragment& fragment : motion.fragments) fits.emplace_back(fragment, **first);
-  for (std::size_t index = request.firstFrame; index <= request.lastFrame; ++index) {
-    const auto frame = take.frame(index);
-    if (!frame) return frame.problem();
-    sim::parallelFor(fits.size(), [&](std::size_t i) { fits[i].follow(**frame); });
-    const double done = static_cast<double>(index - request.firstFrame + 1);
-    if (request.progress && !request.progress(share * done / static_cast<double>(motion.times.size())))
-      return sim::Problem{request.path.string(), "the export was cancelled", ""};
-  }
+  ExportRequest partly = request;
+  if (request.progress) partly.progress = [&](double done) { return request.progress(share * done); };
+  const auto status = forEachFrame(take, partly, [&](std::size_t, const sim::Snapshot& frame) -> sim::Status {
+    sim::parallelFor(fits.size(), [&](std::size_t i) { fits[i].follow(frame); });
+    return sim::Done{};
+  });
+  if (!status) return status.problem();
   for (const RigidMotion& fit : fits) {
     motion.poses.push_back(fit.poses());
     motion.residuals.push_back(fit.residual());

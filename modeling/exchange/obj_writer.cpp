@@ -1,103 +1,35 @@
-#include <algorithm>
-#include <cassert>
-#include <tuple>
+#include <array>
+#include <charconv>
 
 #include "modeling/exchange/export.h"
-#include "modeling/exchange/take_scene.h"
-#include "modeling/exchange/text_output.h"
-#include "sim/network/surface_mesh.h"
+#include "modeling/exchange/frame_loop.h"
+#include "modeling/exchange/obj_surface.h"
 
 namespace modeling {
 
 namespace {
 
-/// Far below anything seen (0.1 nm in a metre), and half the size of the full 17.
-constexpr int kDigits = 9;
-
-/// One word a material. Entries of one name are one material to look at.
-std::vector<std::string> materialNames(const sim::Network& network) {
-  std::vector<std::string> names;
-  for (const sim::Material& material : network.materials) {
-    names.push_back(oneWord(material.name, "material"));
-  }
-  return names;
-}
-
-void writeMaterial(const std::string& name, const Colour& colour, double gloss, TextOutput& out) {
-  // Blinn-Phong stand-ins for a glaze: its reflectance straight on, and a highlight as wide as a window's.
-  const double specular = 0.04 * gloss;
-  out << "newmtl " << name << "\nKa 0 0 0\nKd " << sim::Vec3(colour[0], colour[1], colour[2]) << "\nKs "
-      << sim::Vec3::Constant(specular) << "\nNs " << 10.0 + 490.0 * gloss << "\nd 1\nillum 2\n\n";
-}
-
-sim::Status writeLibrary(const std::filesystem::path& path, const std::vector<std::string>& names,
-                         const std::vector<Look>& looks) {
-  TextOutput out(path, kDigits);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-        names.begin() + static_cast<std::ptrdiff_t>(i))
-      continue;
-    writeMaterial(names[i] + "_outside", looks[i].outside, looks[i].glaze, out);
-    writeMaterial(names[i] + "_inside", looks[i].inside, 0.0, out);
-  }
-  return out.finish();
-}
-
-void writeFaces(const sim::SurfaceMesh& mesh, const std::vector<std::string>& names, TextOutput& out) {
-  sim::FragmentId fragment = sim::kNone;
-  std::tuple<sim::MaterialIndex, bool> material;
-  for (const auto& face : mesh.faces) {
-    const bool newFragment = face.fragment != fragment;
-    if (newFragment) out << "g fragment_" << static_cast<std::uint64_t>(face.fragment) << "\n";
-    if (newFragment || material != std::tuple(face.material, face.inside)) {
-      out << "usemtl " << names[face.material] << (face.inside ? "_inside" : "_outside") << "\n";
-    }
-    fragment = face.fragment;
-    material = {face.material, face.inside};
-    out << "f";
-    for (unsigned c = 0; c < face.cornerCount; ++c) {
-      out << " " << std::uint64_t{face.points[c] + 1U} << "//" << std::uint64_t{face.normals[c] + 1U};
-    }
-    out << "\n";
-  }
-}
-
-sim::Status writeSurface(const std::filesystem::path& path, const std::string& library,
-                         const std::vector<std::string>& names, const sim::SurfaceMesh& mesh, double time) {
-  TextOutput out(path, kDigits);
-  out << "# Smithereens surface, cm, z up, time " << time << " s\nmtllib " << library << "\n";
-  for (const sim::Vec3& point : mesh.points) out << "v " << point << "\n";
-  for (const sim::Vec3& normal : mesh.normals) out << "vn " << normal << "\n";
-  writeFaces(mesh, names, out);
-  return out.finish();
+std::string timeRemark(double seconds) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), seconds).ptr;
+  return "# time " + std::string(digits.data(), end) + " s\n";
 }
 
 }  // namespace
 
 sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request) {
-  assert(request.firstFrame <= request.lastFrame && request.lastFrame < take.frameCount());
   const auto scene = sceneOf(take);
   if (!scene) return scene.problem();
   std::filesystem::path library = request.path;
   library.replace_extension(".mtl");
   const std::vector<std::string> names = materialNames(take.network());
-  if (auto status = writeLibrary(library, names, looksOf(*scene, take.network())); !status) return status;
-
+  if (auto status = writeMaterialLibrary(library, names, looksOf(*scene, take.network())); !status)
+    return status;
   const sim::SurfaceBuilder builder(take.network());
-  const std::size_t count = request.lastFrame - request.firstFrame + 1;
-  for (std::size_t done = 0; done < count; ++done) {
-    const std::size_t index = request.firstFrame + done;
-    const auto frame = take.frame(index);
-    if (!frame) return frame.problem();
-    const auto path = count == 1 ? request.path : numberedPath(request.path, index);
-    const auto status =
-        writeSurface(path, library.filename().string(), names, builder.build(**frame), (*frame)->time);
-    if (!status) return status;
-    if (request.progress && !request.progress(static_cast<double>(done + 1) / static_cast<double>(count))) {
-      return sim::Problem{path.string(), "the export was cancelled", ""};
-    }
-  }
-  return sim::Done{};
+  return forEachFrame(take, request, [&](std::size_t index, const sim::Snapshot& frame) {
+    return writeObjSurface(framePath(request, index), library.filename().string(), names,
+                           builder.build(frame), timeRemark(frame.time));
+  });
 }
 
 }  // namespace modeling

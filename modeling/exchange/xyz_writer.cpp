@@ -1,6 +1,5 @@
-#include <cassert>
-
 #include "modeling/exchange/export.h"
+#include "modeling/exchange/frame_loop.h"
 #include "modeling/exchange/text_output.h"
 
 namespace modeling {
@@ -27,18 +26,14 @@ void writeFrame(const sim::Network& network, const std::vector<std::string>& spe
 }  // namespace
 
 sim::Status writeXyz(const sim::TakeReader& take, const ExportRequest& request) {
-  assert(request.firstFrame <= request.lastFrame && request.lastFrame < take.frameCount());
   const std::vector<std::string> species = speciesNames(take.network());
   TextOutput out(request.path);
-  for (std::size_t index = request.firstFrame; index <= request.lastFrame && out.good(); ++index) {
-    const auto frame = take.frame(index);
-    if (!frame) return frame.problem();
-    writeFrame(take.network(), species, **frame, out);
-    const double count = static_cast<double>(request.lastFrame - request.firstFrame + 1);
-    if (request.progress && !request.progress(static_cast<double>(index - request.firstFrame + 1) / count)) {
-      return sim::Problem{request.path.string(), "the export was cancelled", ""};
-    }
-  }
+  const auto status =
+      forEachFrame(take, request, [&](std::size_t, const sim::Snapshot& frame) -> sim::Status {
+        writeFrame(take.network(), species, frame, out);
+        return out.good() ? sim::Status(sim::Done{}) : out.finish();
+      });
+  if (!status) return status;
   return out.finish();
 }
 

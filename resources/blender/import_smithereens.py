@@ -64,11 +64,23 @@ def load_glb(path):
                 key.co.x = round(frame) if abs(frame - round(frame)) < 1e-3 else frame
                 key.interpolation = "LINEAR"
             curve.update()
-    return rate
+
+
+def head_of(path):
+    """The "# key value" lines at the head of an .obj."""
+    about = {}
+    with open(path) as file:
+        for line in file:
+            if not line.startswith("#"):
+                break
+            words = line[1:].split()
+            if len(words) == 2:
+                about[words[0]] = float(words[1])
+    return about
 
 
 def load_pc2(path):
-    about = json.loads(path.with_suffix(".json").read_text())
+    about = head_of(path.with_suffix(".obj"))
     # Axes as they are: the file is z up already, and the cache's points are in the file's order.
     bpy.ops.import_scene.obj(filepath=str(path.with_suffix(".obj")), axis_forward="Y", axis_up="Z",
                              split_mode="OFF", use_split_objects=False, use_split_groups=False)
@@ -82,9 +94,7 @@ def load_pc2(path):
     cache.play_mode = "SCENE"
     cache.frame_start = 0
     set_rate(about["frames_per_second"])
-    set_range(about["frames"])
-    bpy.context.view_layer.update()
-    return about["frames_per_second"]
+    set_range(int(about["frames"]))
 
 
 def load(path, play_at=None):

@@ -81,4 +81,23 @@ TEST_CASE("Blender plays a skin of many fragments as it was recorded") {
   }
 }
 
+TEST_CASE("Blender plays a deforming surface from its cache as it was recorded") {
+  if (!haveBlender()) return;
+  const tests::MemoryTake take = tests::flyingPieces(3, 6);
+  const std::string folder = tests::freshFolder("smithereens-blender");
+  REQUIRE(modeling::writePc2(take, {.path = folder + "/pieces.pc2", .lastFrame = 5, .progress = {}}).ok());
+  const Seen seen = seenInBlender(folder + "/pieces.pc2", 6);
+  CHECK(seen.rate == Approx(24.0));
+  CHECK(seen.lastFrame == 5);
+  for (std::size_t frame = 0; frame < 6; ++frame) {
+    REQUIRE(seen.frames[frame].size() == 1);
+    const auto& points = seen.frames[frame].begin()->second;
+    const auto expected = tests::surfaceOfPieces(take, frame).points;
+    REQUIRE(points.size() == expected.size());
+    double worst = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) worst = std::max(worst, (points[i] - expected[i]).norm());
+    CHECK(worst < 1e-4);
+  }
+}
+
 }  // namespace

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "modeling/exchange/take_scene.h"
+#include "sim/network/surface_mesh.h"
+
+/// The pieces of Wavefront OBJ files that several formats are made of.
+namespace modeling {
+
+/// One word a material. Entries of one name are one material to look at.
+std::vector<std::string> materialNames(const sim::Network& network);
+
+/// The .mtl file: NAME_outside and NAME_inside for each name.
+sim::Status writeMaterialLibrary(const std::filesystem::path& path, const std::vector<std::string>& names,
+                                 const std::vector<Look>& looks);
+
+/// The surface, its points in order. `remark`: lines for the head, each with its "# ".
+sim::Status writeObjSurface(const std::filesystem::path& path, const std::string& library,
+                            const std::vector<std::string>& names, const sim::SurfaceMesh& mesh,
+                            const std::string& remark);
+
+}  // namespace modeling
