@@ -50,13 +50,22 @@ void SharedMotion::fit(const NodeVectors& from, const NodeVectors& to) {
   }
   centre_ /= count;
   shift_ /= count;
-  Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
+  // Sums of outer products, column by column: those of a matrix would wait for memory at every node.
+  Vec3 extents[3] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  Vec3 products[3] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   for (std::size_t node = 0; node < from.size(); node += stride) {
-    const Vec3 arm = from.get(node) - centre_;
-    extent += arm * arm.transpose();
-    product += (to.get(node) - from.get(node) - shift_) * arm.transpose();
+    const Vec3 start = from.get(node);
+    const Vec3 arm = start - centre_;
+    const Vec3 way = to.get(node) - start - shift_;
+    for (int column = 0; column < 3; ++column) {
+      extents[column] += arm[column] * arm;
+      products[column] += arm[column] * way;
+    }
   }
+  Eigen::Matrix3d extent;
+  Eigen::Matrix3d product;
+  extent << extents[0], extents[1], extents[2];
+  product << products[0], products[1], products[2];
   const double size = extent.trace();
   if (!(size > 0.0) || !std::isfinite(product.norm())) return;
   stretch_ = product * (extent + kNoExtent * size * Eigen::Matrix3d::Identity()).inverse();

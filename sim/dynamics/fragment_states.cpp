@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sim {
 namespace {
@@ -20,26 +19,8 @@ constexpr double kRestTime = 2.0;
 constexpr double kWake = 2.0;
 /// Neighbours lighter than this share do not wake a fragment by going away.
 constexpr double kLightShare = 0.05;
-/// Strain that is nothing to speak of: this share of the bond's threshold, ...
-constexpr double kCalmStrainShare = 0.25;
-/// ... never more than can be seen in what is broken, ...
-constexpr double kCalmStrainMost = 1e-2;
-/// ... less in what never broke and may be meant to wobble, ...
-constexpr double kWholeStrainMost = 5e-4;
-/// ... and what never touched anything either may be meant to ring: it must be as good as undeformed.
-constexpr double kUndeformed = 1e-9;
-/// Gentle is what nears slowly enough: 0.15 threshold times speed of sound, given kCalmStrainShare and the
-/// two thirds of the speed of sound that calmSpeed() finds.
-constexpr double kGentleShare = 0.9;
-/// After a look in vain the next one waits twice as long, up to so many reviews.
-constexpr std::uint32_t kLongestWait = 16;
 
 }  // namespace
-
-double FragmentStates::calmStrain(Past past) {
-  if (past == Past::broken) return kCalmStrainMost;
-  return past == Past::touched ? kWholeStrainMost : kUndeformed;
-}
 
 FragmentStates::FragmentStates(const World& world, const SkipSettings& skip)
     : world_(world), skip_(skip), activity_(world.network, world.components) {
@@ -139,8 +120,9 @@ std::vector<FragmentStates::Sums> FragmentStates::sumFragments() {
   return sums;
 }
 
-void FragmentStates::review(double time) {
+void FragmentStates::review(double time, double step) {
   time_ = time;
+  reviewTime_ = static_cast<double>(kStepsPerReview) * step;
   activity_.listNodes(world_.components);
   const std::vector<Sums> sums = sumFragments();
   noteNeighbours(sums);
@@ -265,117 +247,6 @@ void FragmentStates::noteColliders(double time) {
   apply();
 }
 
-/// What has no strain to speak of goes on as a rigid body, unless something nears it too fast.
-void FragmentStates::freeze() {
-  for (RigidBody& body : bodies_) records_[body.fragment()].lastWait /= 2;
-  for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
-    Record& record = records_[fragment];
-    if (!activity_.deforms(fragment) || record.skippable == 0) continue;
-    if (record.wait > 0) {
-      --record.wait;
-      continue;
-    }
-    RigidBody body(world_.network, fragment, activity_.nodesOf(fragment), world_.now);
-    body.setGentleSpeed(calmSpeed(body, record));
-    if (body.gentleSpeed() > 0.0) {
-      makeRigid(std::move(body));
-    } else {
-      waitLonger(record);
-    }
-  }
-  noteTouching();
-}
-
-void FragmentStates::waitLonger(Record& record) {
-  record.lastWait = static_cast<std::uint16_t>(std::clamp(2U * record.lastWait, 1U, kLongestWait));
-  record.wait = record.lastWait;
-}
-
-/// The speed at which what nears it is still gentle, cm/s; zero where its strain, or its vibration (which is
-/// strain a quarter of a swing later), is more than nothing to speak of.
-double FragmentStates::calmSpeed(const RigidBody& body, const Record& record) const {
-  const Network& network = world_.network;
-  double stiffness = 0.0;
-  double least = calmStrain(record.past);
-  std::size_t bonds = 0;
-  for (const NodeIndex node : body.nodes()) {
-    for (BondIndex bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
-      if (world_.breakage.bondBroken(bond)) continue;
-      const BondClass& constants = network.bond(bond);
-      const Material& material = network.materials[constants.material];
-      if (!std::isfinite(material.thresholdMean)) least = std::min(least, kUndeformed);
-      least = std::min(least, kCalmStrainShare * static_cast<double>(network.thresholds[bond]));
-      const double strain = std::abs(strainOf(bond));
-      if (strain > least || strain > material.yieldStrain) return 0.0;
-      stiffness += constants.stiffness * constants.restLength * constants.restLength;
-      ++bonds;
-    }
-  }
-  if (bonds == 0) return std::numeric_limits<double>::infinity();
-  // Mean of k L^2 over mean mass: two thirds of the speed of sound, or a little less.
-  const double sound = std::sqrt(stiffness / static_cast<double>(bonds) *
-                                 static_cast<double>(body.nodes().size()) / body.mass());
-  for (std::size_t i = 0; i < body.nodes().size(); ++i) {
-    if (body.vibration(i, world_.now.velocity.get(body.nodes()[i])).norm() > least * sound) return 0.0;
-  }
-  return kGentleShare * least * sound;
-}
-
-/// Finds which nodes of rigid bodies may be pushed, and melts those bodies that are neared too fast.
-void FragmentStates::noteTouching() {
-  if (!skip_.rigid && bodies_.empty()) return;
-  std::vector<std::vector<std::uint32_t>> touched(bodies_.size());
-  std::vector<std::uint8_t> struck(bodies_.size(), 0);
-  std::vector<std::uint32_t> bodyOf(records_.size(), kNone);
-  for (std::uint32_t b = 0; b < bodies_.size(); ++b) bodyOf[bodies_[b].fragment()] = b;
-  const auto velocityOf = [&](NodeIndex node) -> Vec3 {
-    const std::uint32_t b = bodyOf[world_.components.of(node)];
-    return b == kNone ? world_.now.velocity.get(node) : bodies_[b].velocityAt(world_.now.position.get(node));
-  };
-  const auto note = [&](NodeIndex node, const Vec3& towards, const Vec3& other) {
-    Record& record = records_[world_.components.of(node)];
-    if (record.past == Past::untouched) record.past = Past::touched;
-    const std::uint32_t b = bodyOf[world_.components.of(node)];
-    if (b == kNone) return;
-    const auto place = std::ranges::lower_bound(bodies_[b].nodes(), node) - bodies_[b].nodes().begin();
-    touched[b].push_back(static_cast<std::uint32_t>(place));
-    if ((velocityOf(node) - other).dot(towards) > bodies_[b].gentleSpeed()) struck[b] = 1;
-  };
-  placeBodies();
-  world_.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
-    const Vec3 towards = (world_.now.position.get(j) - world_.now.position.get(i)).normalized();
-    note(i, towards, velocityOf(j));
-    note(j, -towards, velocityOf(i));
-  });
-  world_.contacts.forEachNearCollider([&](NodeIndex node, std::uint32_t collider) {
-    const MovingCollider& moving = world_.controls.colliders()[collider];
-    const Vec3 here = world_.now.position.get(node);
-    note(node, -intrusion(moving.shape, here).normal, moving.velocityAt(here));
-  });
-  for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
-    std::ranges::sort(touched[b]);
-    touched[b].erase(std::ranges::unique(touched[b]).begin(), touched[b].end());
-    standStill(bodies_[b]);
-    bodies_[b].setTouched(std::move(touched[b]));
-  }
-  std::uint32_t b = 0;
-  std::erase_if(bodies_, [&](const RigidBody& body) {
-    if (struck[b++] == 0) return false;
-    waitLonger(records_[body.fragment()]);
-    melt(body);
-    return true;
-  });
-  placeTouched();
-}
-
-/// Nodes that contacts no longer push stand in the lattice.
-void FragmentStates::standStill(const RigidBody& body) {
-  for (const std::uint32_t place : body.touched()) {
-    world_.now.velocity.set(body.nodes()[place], Vec3::Zero());
-    world_.next.velocity.set(body.nodes()[place], Vec3::Zero());
-  }
-}
-
 /// Takes a fragment's nodes out of the lattice: there they stand still.
 void FragmentStates::hold(std::span<const NodeIndex> nodes) {
   for (const NodeIndex node : nodes) {
@@ -432,25 +303,6 @@ void FragmentStates::wake(FragmentId fragment) {
   release(activity_.nodesOf(fragment));
   records_[fragment].stillSince = time_;
   setState(fragment, FragmentState::deforming);
-}
-
-void FragmentStates::makeRigid(RigidBody body) {
-  double kinetic = -body.kineticEnergy();
-  for (const NodeIndex node : body.nodes())
-    kinetic += 0.5 * world_.network.masses[node] * world_.now.velocity.get(node).squaredNorm();
-  world_.ledger.addDissipated(std::max(0.0, kinetic));
-  hold(body.nodes());
-  setState(body.fragment(), FragmentState::rigid);
-  bodies_.push_back(std::move(body));
-}
-
-void FragmentStates::melt(const RigidBody& body) {
-  body.place(world_.now.position);
-  body.placeVelocities(world_.now.velocity);
-  release(body.nodes());
-  Record& record = records_[body.fragment()];
-  record.stillSince = time_;
-  setState(body.fragment(), FragmentState::deforming);
 }
 
 void FragmentStates::noteNewRows(double time) {

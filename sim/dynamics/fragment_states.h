@@ -21,9 +21,9 @@ namespace sim {
 /// - asleep: still for so long that it could have fallen, and everything heavy next to it is, too. It stands
 ///   where it is, with its strain, until something next to it moves that could move it, a collider next to it
 ///   moves, or gravity or a stiffness changes.
-/// - rigid: touched by nothing, and strained by nothing to speak of. It flies as a RigidBody until the
-/// contact
-///   rows, which cover all that can touch before they are built again, name one of its nodes.
+/// - rigid: strained by nothing to speak of, or for good and still. It moves as a RigidBody, pushed by gentle
+///   contacts, until the contact rows, which cover all that can touch before they are built again, say that
+///   something nears it too fast.
 class FragmentStates {
  public:
   /// What it looks at and what it writes to. The stepper's own, which outlive this.
@@ -48,9 +48,9 @@ class FragmentStates {
 
   /// Fragments were born at `time`.
   void noteBirths(double time);
-  /// Looks who has come to rest and who flies freely. To be called every kStepsPerReview steps, or more
-  /// rarely.
-  void review(double time);
+  /// Looks who has come to rest and who flies freely. To be called every kStepsPerReview steps of `step`
+  /// seconds, or more rarely.
+  void review(double time, double step);
   /// Called whenever the contact rows are new.
   void noteNewRows(double time);
   /// Colliders have moved, or begun to act.
@@ -100,9 +100,10 @@ class FragmentStates {
   enum class Past : std::uint8_t { untouched, touched, broken };
   /// What is remembered of a fragment. Nothing is padding: checkpoints hold the bytes.
   struct Record {
-    double stillSince = 0.0;  ///< s
-    std::uint64_t bonds = 0;  ///< whole ones, while it does not deform
-    std::uint32_t wait = 0;   ///< reviews until it is looked at again
+    double stillSince = 0.0;       ///< s
+    std::uint64_t bonds = 0;       ///< whole ones, while it does not deform
+    std::uint16_t wait = 0;        ///< reviews until it is looked at again
+    std::uint16_t quietLooks = 0;  ///< in a row, at which it was strained but still
     std::uint16_t lastWait = 0;
     std::uint8_t skippable = 0;
     Past past = Past::untouched;
@@ -132,6 +133,14 @@ class FragmentStates {
     double rigidSpeedSquared() const;
     double vibrationSquared() const { return std::max(0.0, 2.0 * kinetic / mass - rigidSpeedSquared()); }
   };
+  /// Of a fragment's whole bonds.
+  struct Strains {
+    double calm = 0.0;     ///< is nothing to speak of
+    double largest = 0.0;  ///< of either sign
+    bool mayGive = false;  ///< some bond yields, or is too near its threshold
+    double sound = 0.0;    ///< cm/s: about two thirds of the speed of sound
+    std::size_t bonds = 0;
+  };
   struct RestLimits {
     double speed = 0.0;  ///< cm/s
     double time = 0.0;   ///< s
@@ -147,7 +156,9 @@ class FragmentStates {
   void wakeLeftBehind(const std::vector<Sums>& sums);
   void wakeIfAsleep(FragmentId fragment);
   void freeze();
-  double calmSpeed(const RigidBody& body, const Record& record) const;
+  Strains strainsOf(const RigidBody& body, Past past) const;
+  bool vibratesBelow(const RigidBody& body, double speed) const;
+  double calmSpeed(const RigidBody& body, Record& record) const;
   struct Push;
   static void findPush(const RigidBody& body, const Contacts::Forces& forces, Push& push);
   static double takeForces(const RigidBody& body, const Push& push, double kick,
@@ -179,6 +190,7 @@ class FragmentStates {
   double typicalLength_ = 0.0;  ///< cm: mean distance of a node's nearest neighbour
   double peakSpeed_ = 0.0;      ///< cm/s: highest root mean square speed of everything so far
   double time_ = 0.0;           ///< s
+  double reviewTime_ = 0.0;     ///< s: between two looks
   bool changed_ = false;
   mutable std::optional<double> stillElastic_;  ///< erg
 };

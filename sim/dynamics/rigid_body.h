@@ -28,6 +28,8 @@ class RigidBody {
   FragmentId fragment() const { return fragment_; }
   std::span<const NodeIndex> nodes() const { return nodes_; }
   double mass() const { return mass_; }
+  /// From the centre to the furthest node, cm.
+  double radius() const { return radius_; }
   const Vec3& centre() const { return centre_; }
   const Vec3& velocity() const { return velocity_; }                ///< of the centre, cm/s
   const Vec3& angularMomentum() const { return angularMomentum_; }  ///< about the centre, g cm^2/s

@@ -371,7 +371,7 @@ Status Stepper::stepInArena() {
   refreshContacts();
   followTolerance();
   if (moving && skipsFragments() && work_.steps % FragmentStates::kStepsPerReview == 0)
-    fragments_.review(time());
+    fragments_.review(time(), step_);
   if (latticeMoves() != latticeCounts_) chooseStep();
   fitReference();
   if (moving && (!settings_.skip.ledger || work_.steps % kStepsPerLedger == 0)) return watchEnergy();
