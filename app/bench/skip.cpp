@@ -11,26 +11,34 @@
 namespace app {
 namespace {
 
-/// One thing that may be left out, with its name in the scene.
+using Flag = bool sim::SkipSettings::*;
+
+/// One thing that may be left out, with its name in the scene, or several.
 struct Switch {
   const char* name;
-  bool sim::SkipSettings::*flag;
+  std::vector<Flag> flags;
 };
 
-constexpr Switch kSwitches[] = {{"sleep", &sim::SkipSettings::sleep},
-                                {"rigid", &sim::SkipSettings::rigid},
-                                {"contactSearch", &sim::SkipSettings::contactSearch},
-                                {"labelling", &sim::SkipSettings::labelling},
-                                {"thresholds", &sim::SkipSettings::thresholds},
-                                {"damping", &sim::SkipSettings::damping},
-                                {"ledger", &sim::SkipSettings::ledger}};
+const std::vector<Switch>& switches() {
+  static const std::vector<Switch> all = {
+      {"sleep", {&sim::SkipSettings::sleep}},
+      {"rigid", {&sim::SkipSettings::rigid}},
+      {"contactSearch", {&sim::SkipSettings::contactSearch}},
+      {"labelling", {&sim::SkipSettings::labelling}},
+      {"thresholds", {&sim::SkipSettings::thresholds}},
+      {"damping", {&sim::SkipSettings::damping}},
+      {"ledger", {&sim::SkipSettings::ledger}},
+      {"sleep, rigid", {&sim::SkipSettings::sleep, &sim::SkipSettings::rigid}},
+      {"all of them",
+       {&sim::SkipSettings::sleep, &sim::SkipSettings::rigid, &sim::SkipSettings::contactSearch,
+        &sim::SkipSettings::labelling, &sim::SkipSettings::thresholds, &sim::SkipSettings::damping,
+        &sim::SkipSettings::ledger}}};
+  return all;
+}
 
-/// s: by then all of the teapot but a few crumbs lies still.
-constexpr double kSettled = 2.4;
-
-sim::SkipSettings allSkips(bool on) {
+sim::SkipSettings without(const Switch& off) {
   sim::SkipSettings skip;
-  for (const Switch& one : kSwitches) skip.*one.flag = on;
+  for (const Flag flag : off.flags) skip.*flag = false;
   return skip;
 }
 
@@ -41,13 +49,13 @@ struct Case {
   double from = 0.0;   ///< s: run with everything skipped up to here, and not timed
   double until = 0.0;  ///< s
   std::vector<const Switch*> switches;
-  bool all = false;  ///< compare with everything switched off, too
+  bool moving = false;  ///< compare with as much time at the scene's beginning, too
 };
 
 std::vector<const Switch*> switchesNamed(std::initializer_list<const char*> names) {
   std::vector<const Switch*> found;
   for (const char* name : names) {
-    for (const Switch& one : kSwitches) {
+    for (const Switch& one : switches()) {
       if (std::string_view(one.name) == name) found.push_back(&one);
     }
   }
@@ -61,6 +69,9 @@ sim::Result<modeling::Scene> sceneNamed(const char* name) {
   return loaded->scene;
 }
 
+/// s: by then all of the teapot lies still.
+constexpr double kSettled = 2.4;
+
 sim::Result<std::vector<Case>> skipCases(bool quick) {
   const auto drop = sceneNamed("teapot-drop");
   if (!drop) return drop.problem();
@@ -72,14 +83,15 @@ sim::Result<std::vector<Case>> skipCases(bool quick) {
 
   std::vector<Case> cases;
   cases.push_back({"teapot-drop, breaking", *drop, 0.0, quick ? 0.03 : 0.1,
-                   switchesNamed({"contactSearch", "labelling", "thresholds", "damping", "ledger"}), false});
-  cases.push_back({"tube in flight", cup, 0.0, 0.2, switchesNamed({"rigid", "contactSearch"}), false});
-  cases.push_back({"slab, unbreakable, undamped", loose, 0.0, 0.02,
-                   switchesNamed({"thresholds", "damping", "ledger"}), false});
+                   switchesNamed({"contactSearch", "labelling", "thresholds", "damping", "ledger"})});
+  cases.push_back({"tube in flight", cup, 0.0, 0.2, switchesNamed({"rigid", "contactSearch"})});
+  cases.push_back(
+      {"slab, unbreakable, undamped", loose, 0.0, 0.02, switchesNamed({"thresholds", "damping", "ledger"})});
   if (quick) return cases;
-  cases.push_back({"teapot-drop, to rest", *drop, 0.0, 2.0, switchesNamed({"sleep", "rigid"}), true});
-  cases.push_back({"teapot-drop, but a few crumbs at rest", *drop, kSettled, kSettled + 0.2,
-                   switchesNamed({"sleep"}), false});
+  cases.push_back({"teapot-drop, to rest", *drop, 0.0, 2.0,
+                   switchesNamed({"sleep", "rigid", "sleep, rigid", "all of them"})});
+  cases.push_back(
+      {"teapot-drop, at rest", *drop, kSettled, kSettled + 0.1, switchesNamed({"sleep, rigid"}), true});
   return cases;
 }
 
@@ -91,16 +103,29 @@ struct Outcome {
   sim::Work work;
 };
 
-sim::Result<Outcome> timed(const Case& one, const sim::SkipSettings& skip, int threads,
-                           const std::vector<std::byte>& settled) {
+/// The scene at `one.from`; `settled` is its state there with everything skipped, empty at its beginning.
+sim::Result<std::unique_ptr<sim::Simulation>> startAt(const Case& one, const sim::SkipSettings& skip,
+                                                      int threads, const std::vector<std::byte>& settled) {
   modeling::Scene scene = one.scene;
   scene.solver.skip = skip;
   auto simulation = start(scene, threads);
+  if (!simulation || settled.empty()) return simulation;
+  if (skip == one.scene.solver.skip) {
+    if (const sim::Status restored = (*simulation)->restore(settled); !restored) return restored.problem();
+    return simulation;
+  }
+  // What sleeps must wake where nothing may sleep.
+  auto resting = startAt(one, one.scene.solver.skip, threads, settled);
+  if (!resting) return resting;
+  if (const sim::Status taken = (*simulation)->takeOver(**resting); !taken) return taken.problem();
+  return simulation;
+}
+
+sim::Result<Outcome> timed(const Case& one, const sim::SkipSettings& skip, int threads,
+                           const std::vector<std::byte>& settled) {
+  auto simulation = startAt(one, skip, threads, settled);
   if (!simulation) return simulation.problem();
   sim::Simulation& running = **simulation;
-  if (!settled.empty()) {
-    if (const sim::Status restored = running.restore(settled); !restored) return restored.problem();
-  }
   const auto before = std::chrono::steady_clock::now();
   if (const sim::Status ran = running.advanceTo(one.until); !ran) return ran.problem();
   Outcome outcome;
@@ -155,20 +180,21 @@ nlohmann::ordered_json compared(const Case& one, const char* name, const Outcome
 sim::Status compareCase(const Case& one, int threads, nlohmann::ordered_json& rows) {
   const auto settled = settledState(one, threads);
   if (!settled) return settled.problem();
-  const auto with = timed(one, allSkips(true), threads, *settled);
+  const auto with = timed(one, {}, threads, *settled);
   if (!with) return with.problem();
-  const auto compareWith = [&](const char* name, const sim::SkipSettings& skip) -> sim::Status {
-    const auto without = timed(one, skip, threads, *settled);
-    if (!without) return without.problem();
-    rows.push_back(compared(one, name, *with, *without));
-    return sim::Done{};
-  };
-  for (const Switch* change : one.switches) {
-    sim::SkipSettings skip = allSkips(true);
-    skip.*change->flag = false;
-    if (const sim::Status done = compareWith(change->name, skip); !done) return done;
+  for (const Switch* off : one.switches) {
+    const auto full = timed(one, without(*off), threads, *settled);
+    if (!full) return full.problem();
+    rows.push_back(compared(one, off->name, *with, *full));
   }
-  return one.all ? compareWith("all of them", allSkips(false)) : sim::Done{};
+  if (!one.moving) return sim::Done{};
+  Case beginning = one;
+  beginning.until = one.until - one.from;
+  beginning.from = 0.0;
+  const auto moving = timed(beginning, {}, threads, {});
+  if (!moving) return moving.problem();
+  rows.push_back(compared(one, "its beginning", *with, *moving));
+  return sim::Done{};
 }
 
 }  // namespace

@@ -20,6 +20,12 @@ constexpr double kWake = 2.0;
 /// Neighbours lighter than this share do not wake a fragment by going away.
 constexpr double kLightShare = 0.05;
 
+/// What an elastic push of something that nears by `approach` gives to what it meets, cm/s: never more than
+/// twice that, however heavy it is.
+double speedGiven(double mass, double massMet, double approach) {
+  return 2.0 * mass / (mass + massMet) * approach;
+}
+
 }  // namespace
 
 FragmentStates::FragmentStates(const World& world, const SkipSettings& skip)
@@ -48,6 +54,7 @@ void FragmentStates::noteBirths(double time) {
   activity_.noteBirths(world_.components);
   const std::size_t known = records_.size();
   records_.resize(world_.components.births().size());
+  bool heldBroke = false;
   for (std::size_t fragment = known; fragment < records_.size(); ++fragment) {
     Record& record = records_[fragment];
     record.stillSince = time;
@@ -55,7 +62,10 @@ void FragmentStates::noteBirths(double time) {
     if (parent == kNone) continue;
     record.past = records_[parent].past = Past::broken;
     record.skippable = records_[parent].skippable;
+    // What broke off a held body may itself be free.
+    heldBroke |= record.skippable == 0;
   }
+  if (heldBroke) findSkippable();
 }
 
 void FragmentStates::findSkippable() {
@@ -175,8 +185,8 @@ void FragmentStates::fallAsleep(const std::vector<Sums>& sums) {
         records_[fragment].skippable && time_ - records_[fragment].stillSince > limits.time ? 1 : 0;
   }
   for (const auto& [a, b, approach] : neighbours_) {
-    if (sums[a].mass * approach > limits.speed * sums[b].mass) resting[b] = 0;
-    if (sums[b].mass * approach > limits.speed * sums[a].mass) resting[a] = 0;
+    if (speedGiven(sums[a].mass, sums[b].mass, approach) > limits.speed) resting[b] = 0;
+    if (speedGiven(sums[b].mass, sums[a].mass, approach) > limits.speed) resting[a] = 0;
   }
   for (FragmentId fragment = 0; fragment < records_.size(); ++fragment) {
     if (resting[fragment] != 0 && !flows(fragment)) putToSleep(fragment, sums[fragment].kinetic);
@@ -214,8 +224,8 @@ void FragmentStates::wakeByContact(const std::vector<Sums>& sums) {
   wakeLeftBehind(sums);
   const double enough = kWake * restLimits().speed;
   for (const auto& [a, b, approach] : neighbours_) {
-    if (sums[a].mass * approach > enough * sums[b].mass) wakeIfAsleep(b);
-    if (sums[b].mass * approach > enough * sums[a].mass) wakeIfAsleep(a);
+    if (speedGiven(sums[a].mass, sums[b].mass, approach) > enough) wakeIfAsleep(b);
+    if (speedGiven(sums[b].mass, sums[a].mass, approach) > enough) wakeIfAsleep(a);
   }
 }
 

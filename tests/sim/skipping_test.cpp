@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <catch2/catch.hpp>
 
@@ -180,6 +181,27 @@ TEST_CASE("pieces that stay strained go on as rigid bodies once they are still")
   CHECK(strainOfPieces(*run, FragmentState::rigid) > 6e-3);
   CHECK(fragmentsThat(*run, FragmentState::deforming) == 0);
   CHECK(run->maxRise() < 0.005);
+}
+
+TEST_CASE("what breaks off a held body is skipped like any other piece") {
+  sim::Blueprint blueprint = tests::twoBlocks(brittleBlock(), 1.5, 3000.0);
+  for (sim::Blueprint::Node& node : blueprint.nodes) {
+    if (node.position.z() > 0.0) continue;
+    node.mass = std::numeric_limits<double>::infinity();
+    node.velocity = Vec3::Zero();
+  }
+  const auto run = tests::simulation(blueprint, withSkips(true), tests::weightless());
+  tests::run(*run, 0.1);
+  const sim::Snapshot end = run->snapshot();
+  const std::size_t lower = end.positions.size() / 2;
+  std::size_t skipped = 0;
+  for (sim::NodeIndex node = 0; node < lower; ++node) {
+    const auto piece = std::ranges::find(end.fragments, end.fragmentOfNode[node], &sim::Fragment::id);
+    REQUIRE(piece != end.fragments.end());
+    if (piece->state == FragmentState::rigid) ++skipped;
+    if (!std::isfinite(run->network().masses[node])) CHECK(piece->state == FragmentState::deforming);
+  }
+  CHECK(skipped > 0);
 }
 
 TEST_CASE("looking at a crash does not change it") {
