@@ -4,7 +4,7 @@
 
 namespace app {
 
-/// export TAKE --format xyz|obj --out PATH [--frames A:B]
+/// export TAKE --format NAME --out PATH [--frames A:B]
 void addExportCommand(CLI::App& program, ExitStatus& status);
 
 }  // namespace app

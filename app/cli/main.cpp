@@ -9,6 +9,7 @@
 #include "app/cli/calibrate_command.h"
 #include "app/cli/command.h"
 #include "app/cli/export_command.h"
+#include "app/cli/import_lammps_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/resume_command.h"
@@ -21,8 +22,8 @@ using app::ExitStatus;
 
 /// Every command of the program, in the order in which help lists them.
 constexpr std::initializer_list<AddCommand> kCommands = {
-    app::addSimulateCommand, app::addResumeCommand,    app::addInfoCommand, app::addRenderCommand,
-    app::addExportCommand,   app::addCalibrateCommand, app::addBenchCommand};
+    app::addSimulateCommand, app::addResumeCommand,       app::addInfoCommand,      app::addRenderCommand,
+    app::addExportCommand,   app::addImportLammpsCommand, app::addCalibrateCommand, app::addBenchCommand};
 
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Dishware that bends, hiccups, sneezes and breaks.", "smithereens-cli");

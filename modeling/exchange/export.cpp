@@ -16,6 +16,7 @@ const std::vector<ExportFormat>& exportFormats() {
       {"pc2", "the surface with all its breaks from the start, deforming (point cache and OBJ)", writePc2},
       {"vtk", "nodes, bonds and their strain, for ParaView (.vtu and .pvd)", writeVtk},
       {"csv", "tables of fragments, breaks and energies", writeCsv},
+      {"lammps", "a run that goes on from the first frame on LAMMPS (data and input)", writeLammps},
   };
   return kFormats;
 }

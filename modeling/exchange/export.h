@@ -62,6 +62,11 @@ sim::Status writeVtk(const sim::TakeReader& take, const ExportRequest& request);
 /// its velocities; NAME.events.csv: breaks; NAME.ledger.csv: energies and momenta.
 sim::Status writeCsv(const sim::TakeReader& take, const ExportRequest& request);
 
+/// LAMMPS: FILE.data and FILE.in, which goes on from the first requested frame to the end of the scene's
+/// duration and dumps what importLammps() (lammps_import.h) brings back. What LAMMPS does otherwise stands at
+/// the head of FILE.in and is told.
+sim::Status writeLammps(const sim::TakeReader& take, const ExportRequest& request);
+
 /// With more fragments than this a .glb has one skin instead of a node with a mesh for each: programs that
 /// read it take minutes for thousands of objects, and a second for thousands of joints.
 inline constexpr std::size_t kMostFragmentNodes = 500;

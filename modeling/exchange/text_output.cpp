@@ -66,4 +66,11 @@ std::string oneWord(std::string name, const char* unnamed) {
   return name;
 }
 
+std::string oneLine(std::string name) {
+  for (char& letter : name) {
+    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';
+  }
+  return name;
+}
+
 }  // namespace modeling

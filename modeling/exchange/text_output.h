@@ -46,4 +46,7 @@ class TextOutput {
 /// empty one.
 std::string oneWord(std::string name, const char* unnamed);
 
+/// The name with what would end a line turned to blanks, for comments.
+std::string oneLine(std::string name);
+
 }  // namespace modeling

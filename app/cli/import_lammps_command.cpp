@@ -1,0 +1,67 @@
+#include "app/cli/import_lammps_command.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/progress.h"
+#include "app/cli/scene_options.h"
+#include "modeling/exchange/lammps_import.h"
+#include "modeling/scene/build.h"
+
+namespace app {
+
+namespace {
+
+struct ImportOptions {
+  std::string dump;
+  std::string bonds;
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string take;
+};
+
+/// Beside the dump of nodes, as the exported input writes it; "" where there is none.
+std::filesystem::path bondsOf(const ImportOptions& options) {
+  if (!options.bonds.empty()) return options.bonds;
+  std::filesystem::path beside = options.dump;
+  beside.replace_extension(".bonds");
+  return std::filesystem::exists(beside) ? beside : std::filesystem::path();
+}
+
+ExitStatus import(const ImportOptions& options) {
+  const auto file = modeling::loadScene(options.scene, options.settings);
+  if (!file) return complain(file.problem());
+  auto built = modeling::build(file->scene, std::filesystem::path(options.scene).parent_path());
+  if (!built) return complain(file->located(built.problem()));
+  const double expected = std::max(1.0, file->scene.output.duration * file->scene.output.fps + 1.0);
+  Progress progress("import");
+  const auto show = [&](std::size_t frames) {
+    progress.show(std::min(1.0, static_cast<double>(frames) / expected));
+    return true;
+  };
+  const auto frames = modeling::importLammps({options.dump, bondsOf(options), show}, file->scene,
+                                             built->network, options.take);
+  if (!frames) return complain(frames.problem());
+  std::cout << "frames        " << *frames << '\n';
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void addImportLammpsCommand(CLI::App& program, ExitStatus& status) {
+  const auto options = std::make_shared<ImportOptions>();
+  CLI::App* command = program.add_subcommand(
+      "import-lammps", "Bring a run of LAMMPS back as a take (see export --format lammps)");
+  command->add_option("dump", options->dump, "The dump of nodes")->required();
+  command->add_option("--scene", options->scene, "The scene that the run was exported from")->required();
+  command->add_option("--take", options->take, "File to write")->required();
+  command->add_option("--bonds", options->bonds, "The dump of bonds (default: DUMP with the ending .bonds)");
+  command->add_option("--set", options->settings, "PATH=VALUE, as the scene was run with");
+  command->callback([options, &status] { status = import(*options); });
+}
+
+}  // namespace app

@@ -1,0 +1,146 @@
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "sim/take/take.h"
+#include "tests/support/run_program.h"
+
+/// Runs carried to LAMMPS and back, where it is installed.
+namespace {
+
+using sim::Vec3;
+
+bool haveLammps() {
+  if (tests::runCommand("command -v lmp && command -v mpirun").status == 0) return true;
+  WARN("lammps or mpirun is not installed: carrying runs there and back was not tested");
+  return false;
+}
+
+/// A leaning slab that meets the floor. `more` is added to the material, `collider` to the floor.
+struct SlabScene {
+  std::string size = "[3, 3, 1]";
+  double cellSize = 0.5;
+  std::string more = {};
+  std::string collider = {};
+  double step = 1e-5;
+  double fps = 1000.0;
+  double duration = 0.004;
+  double height = 1.0;
+
+  std::string text() const {
+    return R"({"smithereens": 1, "name": "slab", "materials": {"m": {"youngsModulus": 1e8)" + more +
+           R"(}}, "parts": [{"name": "slab", "kind": "slab", "material": "m", "size": )" + size +
+           R"(, "resolution": {"cellSize": )" + std::to_string(cellSize) +
+           R"(}, "worldFromPart": {"position": [0, 0, )" + std::to_string(height) +
+           R"(], "rotation": [20, 10, 0]}, "velocity": [0, 0, -200]}], "environment": {"colliders": )" +
+           R"([{"name": "floor", "kind": "floor")" + collider + R"(}]}, "solver": {"step": )" +
+           std::to_string(step) + R"(}, "output": {"fps": )" + std::to_string(fps) + R"(, "duration": )" +
+           std::to_string(duration) + "}}";
+  }
+};
+
+/// The same scene by us and by LAMMPS.
+struct BothRuns {
+  std::unique_ptr<sim::TakeReader> ours, theirs;
+
+  BothRuns(const SlabScene& scene, const std::string& launcher) {
+    const std::string folder = tests::freshFolder("smithereens-lammps");
+    const std::string file = folder + "/slab.scene.json";
+    std::ofstream(file) << scene.text();
+    need(tests::runCli("simulate " + file + " --take " + folder + "/ours.take"));
+    need(tests::runCli("export " + folder + "/ours.take --frames 0 --format lammps --out " + folder +
+                       "/slab"));
+    need(tests::runCommand("cd " + folder + " && OMP_NUM_THREADS=1 " + launcher +
+                           " lmp -in slab.in -log none"));
+    need(tests::runCli("import-lammps " + folder + "/slab.dump --scene " + file + " --take " + folder +
+                       "/theirs.take"));
+    ours = std::move(*sim::TakeReader::open(folder + "/ours.take"));
+    theirs = std::move(*sim::TakeReader::open(folder + "/theirs.take"));
+  }
+
+  static void need(const tests::Answer& answer) {
+    INFO(answer.output.substr(answer.output.size() - std::min<std::size_t>(answer.output.size(), 2000)));
+    INFO(answer.errors);
+    REQUIRE(answer.status == 0);
+  }
+
+  /// How far any node is from where we have it, over how far any has come, in a frame.
+  double apart(std::size_t frame) const {
+    const auto start = *ours->frame(0);
+    const auto left = *ours->frame(frame);
+    const auto right = *theirs->frame(frame);
+    REQUIRE(std::abs(left->time - right->time) < 1e-9);
+    double apart = 0.0;
+    double moved = 0.0;
+    for (std::size_t node = 0; node < left->positions.size(); ++node) {
+      apart = std::max(apart, (left->positions[node] - right->positions[node]).norm());
+      moved = std::max(moved, (left->positions[node] - start->positions[node]).norm());
+    }
+    return apart / moved;
+  }
+};
+
+const char* const kOneRank = "";
+const char* const kTwoRanks = "mpirun --allow-run-as-root --oversubscribe --mca mpi_yield_when_idle 1 -np 2";
+const char* const kFourRanks = "mpirun --allow-run-as-root --oversubscribe --mca mpi_yield_when_idle 1 -np 4";
+
+TEST_CASE("LAMMPS moves an undamped lattice as we do, and pushes it off a rough floor alike, on two ranks") {
+  if (!haveLammps()) return;
+  const BothRuns runs({.more = R"(, "lossFactor": 1e-12)", .collider = R"(, "friction": 0.3)"}, kTwoRanks);
+  REQUIRE(runs.theirs->frameCount() == runs.ours->frameCount());
+  // Four hundred steps of rounding.
+  for (std::size_t frame = 1; frame < runs.ours->frameCount(); ++frame) CHECK(runs.apart(frame) < 1e-10);
+}
+
+TEST_CASE("damping of nodes stands for damping of bonds to a thousandth of the way") {
+  if (!haveLammps()) return;
+  const BothRuns damped({.more = R"(, "lossFactor": 0.2)"}, kOneRank);
+  for (std::size_t frame = 1; frame < damped.ours->frameCount(); ++frame) CHECK(damped.apart(frame) < 1e-3);
+}
+
+TEST_CASE("what breaks on LAMMPS comes back broken, in fragments that keep their nodes") {
+  if (!haveLammps()) return;
+  const BothRuns runs(
+      {.more = R"(, "threshold": {"mean": 0.004, "spread": 0.2})", .duration = 0.02, .height = 0.8},
+      kOneRank);
+  const sim::TakeReader& take = *runs.theirs;
+  REQUIRE(take.frameCount() == 21);
+  const auto last = *take.frame(20);
+  REQUIRE(last->fragments.size() > 1);
+  std::size_t nodes = 0;
+  for (const sim::Fragment& fragment : last->fragments) {
+    nodes += fragment.nodeCount;
+    CHECK((fragment.parent == sim::kNone) == (fragment.born == 0.0));
+  }
+  CHECK(nodes == take.network().nodeCount());
+  std::size_t broken = 0;
+  for (const std::uint8_t bond : last->brokenBonds) broken += bond;
+  CHECK(broken > 0);
+  CHECK(take.events()->size() == broken);
+  for (sim::NodeIndex a = 0; a < take.network().nodeCount(); ++a) {
+    for (sim::BondIndex b = take.network().firstBond[a]; b < take.network().firstBond[a + 1]; ++b) {
+      if (last->brokenBonds[b] == 0)
+        CHECK(last->fragmentOfNode[a] == last->fragmentOfNode[take.network().bondEnds[b]]);
+    }
+  }
+}
+
+/// Hidden, because it takes minutes: test-readers "[large]".
+TEST_CASE("a hundred thousand nodes go to four ranks and come back as we have them", "[.][large]") {
+  if (!haveLammps()) return;
+  const BothRuns runs({.size = "[12, 12, 4.4]",
+                       .cellSize = 0.2,
+                       .more = R"(, "lossFactor": 0.2, "threshold": {"mean": 0.1, "spread": 0.2})",
+                       .step = 5e-6,
+                       .duration = 0.002,
+                       .height = 2.6},
+                      kFourRanks);
+  REQUIRE(runs.ours->network().nodeCount() > 80000);
+  CHECK(runs.ours->events()->empty());
+  for (std::size_t frame = 1; frame < runs.ours->frameCount(); ++frame) {
+    WARN("frame " << frame << ": apart by " << runs.apart(frame) << " of the way");
+    CHECK(runs.apart(frame) < 1e-3);
+  }
+}
+
+}  // namespace
