@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ struct RenderOptions {
   std::string size = "1280x720";
   int samples = ui::PictureSettings{}.samples;
   bool sixteenBit = false;
+  sim::LooseNodes looseNodes = sim::LooseNodes::shards;
 };
 
 sim::Status readSize(const std::string& text, ui::PictureSettings& settings) {
@@ -40,7 +42,7 @@ sim::Result<FrameRange> framesWanted(const RenderOptions& options, const sim::Ta
   return FrameRange{frame, frame};
 }
 
-sim::Status drawFrame(std::size_t frame, const ui::TakePictures& pictures, ui::PictureSettings settings,
+sim::Status drawFrame(std::size_t frame, ui::TakePictures& pictures, ui::PictureSettings settings,
                       const std::filesystem::path& path, ui::PngDepth depth) {
   const auto scene = pictures.sceneOf(frame);
   if (!scene) return scene.problem();
@@ -55,7 +57,7 @@ sim::Status drawFrame(std::size_t frame, const ui::TakePictures& pictures, ui::P
 }
 
 ExitStatus drawFrames(const RenderOptions& options, const ui::PictureSettings& settings,
-                      const ui::TakePictures& pictures, const FrameRange& range) {
+                      ui::TakePictures& pictures, const FrameRange& range) {
   const auto depth = options.sixteenBit ? ui::PngDepth::sixteenBit : ui::PngDepth::eightBit;
   for (std::size_t frame = range.first; frame <= range.last; ++frame) {
     const auto path = options.frames.empty() ? std::filesystem::path(options.out)
@@ -76,7 +78,7 @@ ExitStatus render(const RenderOptions& options) {
   const auto range = framesWanted(options, **take);
   if (!range) return complain(range.problem());
   const double aspect = static_cast<double>(settings.width) / std::max(1, settings.height);
-  const auto pictures = ui::TakePictures::create(**take, range->first, range->last, aspect);
+  auto pictures = ui::TakePictures::create(**take, range->first, range->last, aspect, options.looseNodes);
   if (!pictures) return complain(pictures.problem());
   return drawFrames(options, settings, *pictures, *range);
 }
@@ -96,6 +98,18 @@ void addRenderCommand(CLI::App& program, ExitStatus& status) {
   command->add_option("--samples", options->samples, "Paths a pixel: more is smoother and slower")
       ->capture_default_str();
   command->add_flag("--sixteen-bit", options->sixteenBit, "16 bit a channel instead of 8");
+  static const std::map<std::string, sim::LooseNodes> kLooseNodes{
+      {"shards", sim::LooseNodes::shards},
+      {"tetrahedra", sim::LooseNodes::tetrahedra},
+      {"spheres", sim::LooseNodes::spheres},
+      {"given-to-neighbours", sim::LooseNodes::givenToNeighbours}};
+  command
+      ->add_option(
+          "--loose-nodes", options->looseNodes,
+          "How nodes are drawn that nothing holds any more: shards that fill what their cells filled, "
+          "tetrahedra, spheres, or not at all, their material given to the fragments beside them")
+      ->transform(CLI::CheckedTransformer(kLooseNodes))
+      ->default_str("shards");
   command->callback([options, &status] { status = render(*options); });
 }
 

@@ -37,7 +37,7 @@ std::string remarkOf(const sim::TakeReader& take, std::size_t frames) {
 }
 
 sim::Status writeCache(const sim::TakeReader& take, const ExportRequest& request, const sim::Snapshot& split,
-                       const sim::SurfaceBuilder& builder, std::size_t points) {
+                       sim::SurfaceBuilder& builder, std::size_t points) {
   TextOutput out(request.path);
   out << asText(head(points, request.lastFrame - request.firstFrame + 1));
   sim::Snapshot moment = split;
@@ -65,7 +65,7 @@ sim::Status writePc2(const sim::TakeReader& take, const ExportRequest& request) 
   const auto last = take.frame(request.lastFrame);
   if (!last) return last.problem();
   const sim::Snapshot split = splitAtStart(**first, **last);
-  const sim::SurfaceBuilder builder(take.network());
+  sim::SurfaceBuilder builder(take.network());
   const sim::SurfaceMesh mesh = builder.build(split);
   const std::vector<std::string> names = materialNames(take.network());
   std::filesystem::path object = request.path;

@@ -1,55 +1,44 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "sim/dynamics/snapshot.h"
-#include "sim/network/surface.h"
+#include "sim/network/cell_cuts.h"
+#include "sim/network/surface_topology.h"
 
 namespace sim {
 
-/// The polygons of one moment with vertex normals (paper, "Rendering"): what pictures draw and exports write.
-/// Faces index points and normals separately, so that a point on a sharp edge has one position and several
-/// normals. Faces are ordered by fragment, then by cell; the shards of isolated nodes come last in theirs.
-struct SurfaceMesh {
-  struct Face {
-    std::array<std::uint32_t, 4> points;   ///< counter-clockwise seen from outside; a triangle uses three
-    std::array<std::uint32_t, 4> normals;  ///< one a corner
-    std::uint8_t cornerCount = 4;          ///< 4, or 3 for the shards
-    bool inside = false;                   ///< a broken face: the inside of the material shows
-    MaterialIndex material = 0;
-    PartIndex part = 0;
-    FragmentId fragment = kNone;
-    CellIndex cell = kNone;  ///< whose face it is; kNone for the shards
-  };
-  std::vector<Vec3> points;            ///< cm
-  std::vector<Vec3> restPoints;        ///< where each point is in the network at rest: what grain sticks to
-  std::vector<Vec3> normals;           ///< unit, outward
-  std::vector<NodeIndex> nodeOfPoint;  ///< the node a point is at, or for a shard's points, belongs to
-  std::vector<Face> faces;
-};
-
-/// Makes the surface of any moment of one network.
+/// Makes the surface of any moment of one network. Outside and broken faces are told apart (`inside`); the
+/// fragments' surfaces are closed, and at rest they fill exactly what the whole bodies filled: cells that
+/// broke are divided among the fragments their corners belong to (CellCuts), along smoothed cracks
+/// (CrackNet). Outside faces far from cracks are the sides of cells; near cracks they are divided.
 ///
-/// Faces that meet at an edge share normals (weighted by the corner angles) where both are outside or both
-/// are broken, and where they met at less than the crease angle in the network at rest: judged at rest, an
-/// edge does not flicker between smooth and sharp while the body bends.
-///
-/// A node without an unbroken cell and without an intact bond is a tetrahedron of its own, slightly
-/// irregular, turned at random by its index, inside the sphere of kShardReach times the node's radius.
+/// A body in which nothing has broken since the last call is taken over from it. One thread at a time.
 class SurfaceBuilder {
  public:
-  /// Degrees between face normals. A cylinder needs at least ten faces around to be smooth; the rim of a slab
-  /// (90) stays sharp.
-  static constexpr double kCreaseAngle = 40.0;
-  /// Two shards that touch are one radius apart: 0.75 lets irregular ones nearly meet and rarely overlap.
-  static constexpr double kShardReach = 0.75;
+  /// Tetrahedra and spheres are inside the sphere of kLooseReach times the node's radius: two that touch are
+  /// one radius apart, 0.75 lets irregular ones nearly meet and rarely overlap.
+  static constexpr double kLooseReach = 0.75;
 
   /// Keeps a reference to the network.
-  explicit SurfaceBuilder(const Network& network);
+  explicit SurfaceBuilder(const Network& network, LooseNodes looseNodes = LooseNodes::shards);
+  ~SurfaceBuilder();
+  SurfaceBuilder(SurfaceBuilder&&) noexcept;
+  SurfaceBuilder& operator=(SurfaceBuilder&&) noexcept;
 
-  SurfaceMesh build(const Snapshot& moment) const;
+  /// How everything hangs together once that has broken which is broken in `moment`: for placeSurface().
+  SurfaceTopology topology(const Snapshot& moment);
+
+  /// placeSurface() of its topology.
+  SurfaceMesh build(const Snapshot& moment);
+
+  /// Bodies whose surface topology() made anew the last time, rather than taking it over.
+  std::size_t bodiesRebuilt() const;
 
  private:
-  const Network& network_;
-  CellFaces cellFaces_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 /// The network before anything moved, as a moment: positions at rest, nothing broken, one fragment a

@@ -56,4 +56,18 @@ sim::Network gridNetwork(unsigned nx, unsigned ny, unsigned nz,
   return sim::buildNetwork(std::move(blueprint), 1).value();
 }
 
+void breakBetween(const sim::Network& network, double x, sim::Snapshot& moment) {
+  const auto isBehind = [&](NodeIndex node) { return network.positions[node].x() > x; };
+  for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    for (auto bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
+      if (isBehind(node) != isBehind(network.bondEnds[bond])) moment.brokenBonds[bond] = 1;
+    }
+  }
+  for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
+    for (const NodeIndex node : network.cells[cell]) {
+      if (isBehind(node) != isBehind(network.cells[cell][0])) moment.brokenCells[cell] = 1;
+    }
+  }
+}
+
 }  // namespace tests

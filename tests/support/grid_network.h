@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
 
 /// Networks made by hand, for tests of what stands on networks but not of how they are modelled.
@@ -12,5 +13,9 @@ namespace tests {
 sim::Network gridNetwork(unsigned nx, unsigned ny, unsigned nz,
                          const std::function<sim::Vec3(const sim::Vec3&)>& place = nullptr,
                          bool ringInX = false);
+
+/// Breaks all bonds that cross the plane of this x, cm, and the cells they are in. Fragments are not told
+/// apart.
+void breakBetween(const sim::Network& network, double x, sim::Snapshot& moment);
 
 }  // namespace tests

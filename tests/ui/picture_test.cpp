@@ -63,7 +63,9 @@ double brightnessAround(const Image& image, const PictureScene& scene, const Vec
 PictureScene brokenBlockScene() {
   const sim::Network network = tests::gridNetwork(5, 3, 3);
   sim::Snapshot moment = sim::momentAtRest(network);
-  for (sim::CellIndex cell = 18; cell < 27; ++cell) moment.brokenCells[cell] = 1;
+  tests::breakBetween(network, 2.5, moment);
+  for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node)
+    moment.positions[node].x() += network.positions[node].x() < 2.5 ? -0.5 : 0.5;
   PictureScene scene;
   scene.surface = sim::SurfaceBuilder(network).build(moment);
   scene.colliders = {Collider{}};

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "sim/base/random.h"
-#include "ui/picture/curved_faces.h"
+#include "sim/network/curved_faces.h"
 
 namespace ui {
 
@@ -81,7 +81,7 @@ class SurfaceDrawer {
         mesh_(mesh) {}
 
   void drawFace(std::size_t face) {
-    if (surface_.faces[face].cornerCount == 3) {
+    if (surface_.faces[face].cornerCount == 3 && surface_.faces[face].inside) {
       drawTriangle(face);
     } else {
       drawPatch(face);
@@ -139,7 +139,7 @@ class SurfaceDrawer {
 
   const sim::SurfaceMesh& surface_;
   sim::Vec3 middle_;
-  CurvedFaces curved_;
+  sim::CurvedFaces curved_;
   std::size_t parts_;
   LookTable looks_;
   DrawnMesh& mesh_;

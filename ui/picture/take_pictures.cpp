@@ -74,16 +74,16 @@ Box boxOfMost(const sim::Snapshot& moment) {
   return box.isEmpty() ? Box(sim::Vec3::Constant(-1.0), sim::Vec3::Constant(1.0)) : box;
 }
 
-TakePictures::TakePictures(const sim::TakeReader& take, modeling::Scene scene)
-    : take_(&take), surfaceBuilder_(take.network()), scene_(std::move(scene)) {}
+TakePictures::TakePictures(const sim::TakeReader& take, modeling::Scene scene, sim::LooseNodes looseNodes)
+    : take_(&take), surfaceBuilder_(take.network(), looseNodes), scene_(std::move(scene)) {}
 
 sim::Result<TakePictures> TakePictures::create(const sim::TakeReader& take, std::size_t first,
-                                               std::size_t last, double aspect) {
+                                               std::size_t last, double aspect, sim::LooseNodes looseNodes) {
   auto scene = modeling::sceneOf(take);
   if (!scene) return scene.problem();
   const auto box = boxOfFrames(take, first, last);
   if (!box) return box.problem();
-  TakePictures pictures(take, std::move(*scene));
+  TakePictures pictures(take, std::move(*scene), looseNodes);
   pictures.subject_ = *box;
   if (const auto& camera = pictures.scene_.view.camera) {
     pictures.camera_ = {camera->position, camera->target, camera->fieldOfView * kRadiansPerDegree};
@@ -93,7 +93,7 @@ sim::Result<TakePictures> TakePictures::create(const sim::TakeReader& take, std:
   return pictures;
 }
 
-sim::Result<PictureScene> TakePictures::sceneOf(std::size_t frame) const {
+sim::Result<PictureScene> TakePictures::sceneOf(std::size_t frame) {
   const auto moment = take_->frame(frame);
   if (!moment) return moment.problem();
   PictureScene picture;

@@ -15,12 +15,13 @@ class TakePictures {
   /// Pictures of frames [first, last], which all have one camera: the scene's view, or one that sees all of
   /// them. Keeps a reference to the take. A Problem when its scene or a frame cannot be read.
   static sim::Result<TakePictures> create(const sim::TakeReader& take, std::size_t first, std::size_t last,
-                                          double aspect);
+                                          double aspect,
+                                          sim::LooseNodes looseNodes = sim::LooseNodes::shards);
 
-  sim::Result<PictureScene> sceneOf(std::size_t frame) const;
+  sim::Result<PictureScene> sceneOf(std::size_t frame);
 
  private:
-  TakePictures(const sim::TakeReader& take, modeling::Scene scene);
+  TakePictures(const sim::TakeReader& take, modeling::Scene scene, sim::LooseNodes looseNodes);
 
   const sim::TakeReader* take_;
   sim::SurfaceBuilder surfaceBuilder_;

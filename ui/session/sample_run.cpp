@@ -71,7 +71,7 @@ std::optional<sim::Problem> run(const modeling::Material& material, const std::s
       sim::Simulation::create(std::move(built->network), built->conditions.environment, {}, settings);
   if (!simulation) return simulation.problem();
   sim::Simulation& running = **simulation;
-  const sim::SurfaceBuilder surface(running.network());
+  sim::SurfaceBuilder surface(running.network());
   for (int frame = 0; frame < SampleRun::kFrames && !stop.stop_requested(); ++frame) {
     const double until = SampleRun::kDuration * frame / (SampleRun::kFrames - 1);
     if (frame > 0) {

@@ -15,8 +15,6 @@ constexpr float kTint = 0.10F;
 constexpr float kPlainGlaze = 0.1F;
 /// Radius of a ball relative to the distance of the nearest neighbour: neighbours stay apart, bonds show.
 constexpr float kBall = 0.28F;
-/// A node by itself is as large as its shard would be.
-constexpr float kLoneBall = 0.5F;
 
 float tintOf(sim::FragmentId fragment) {
   return fragment == 0 ? 1.0F : 1.0F - kTint * static_cast<float>(sim::uniformAt(kTintSeed, fragment));
@@ -73,17 +71,13 @@ ColourDraw Palette::surface(const TopologyDraw& topology) const {
   return colours;
 }
 
-NodeDraw Palette::nodes(const TopologyDraw& topology, const std::vector<std::uint8_t>& hidden) const {
+NodeDraw Palette::nodes(const std::vector<std::uint8_t>& hidden) const {
   NodeDraw draw;
-  if (settings_.nodes) {
-    draw.balls.reserve(network_.nodeCount());
-    for (sim::NodeIndex node = 0; node < network_.nodeCount(); ++node) {
-      if (hidden[network_.nodeParts[node]] == 0)
-        draw.balls.push_back({node, kBall * network_.radii[node], ofNode(node)});
-    }
-  } else if (settings_.isolated == IsolatedNodes::spheres) {
-    for (const sim::NodeIndex node : topology.isolated)
-      draw.balls.push_back({node, kLoneBall * network_.radii[node], ofNode(node)});
+  if (!settings_.nodes) return draw;
+  draw.balls.reserve(network_.nodeCount());
+  for (sim::NodeIndex node = 0; node < network_.nodeCount(); ++node) {
+    if (hidden[network_.nodeParts[node]] == 0)
+      draw.balls.push_back({node, kBall * network_.radii[node], ofNode(node)});
   }
   return draw;
 }

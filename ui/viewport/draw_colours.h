@@ -14,7 +14,7 @@ class Palette {
 
   ColourDraw surface(const TopologyDraw& topology) const;
   /// All nodes, or those that nothing holds where they are shown as balls; none of hidden parts.
-  NodeDraw nodes(const TopologyDraw& topology, const std::vector<std::uint8_t>& hidden) const;
+  NodeDraw nodes(const std::vector<std::uint8_t>& hidden) const;
   std::uint32_t ofNode(sim::NodeIndex node) const;
 
  private:

@@ -10,6 +10,7 @@
 #include "sim/contact/collider.h"
 #include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/network/surface_topology.h"
 #include "ui/session/shown.h"
 #include "ui/viewport/view_settings.h"
 
@@ -30,7 +31,7 @@ struct LatticeDraw {
 
 /// A face of the surface.
 struct DrawnFace {
-  std::array<sim::NodeIndex, 4> nodes{};  ///< counter-clockwise from outside
+  std::array<sim::NodeIndex, 4> nodes{};  ///< at or near its corners, counter-clockwise from outside
   sim::CellIndex cell = sim::kNone;
   sim::FragmentId fragment = sim::kNone;
   sim::PartIndex part = 0;
@@ -38,7 +39,7 @@ struct DrawnFace {
   bool inside = false;
 };
 
-/// A corner of the tetrahedron an isolated node is drawn as.
+/// A corner of the tetrahedron or sphere a loose node is drawn as.
 struct ShardCorner {
   sim::NodeIndex node;
   std::array<float, 3> offset;  ///< cm, from the node
@@ -52,16 +53,17 @@ struct TopologyDraw {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
+  sim::SurfaceTopology surface;
+  std::vector<std::uint32_t> hungPoints;       ///< of `surface`: those that are at no node
   std::vector<DrawnFace> faces;                ///< sorted by part
   std::vector<Range> partFaces;                ///< of `faces`
-  std::vector<sim::NodeIndex> cornerNodes;     ///< four a face
+  std::vector<std::uint32_t> cornerNodes;      ///< four a face: a node, or behind the nodes a hung point
   std::vector<std::uint32_t> cornersOfNormal;  ///< corners that share a normal stand together
   std::vector<std::uint32_t> firstOfNormal;    ///< where they begin; one more entry than normals
   std::vector<std::uint32_t> indices;          ///< six a face
-  std::vector<ShardCorner> shards;             ///< twelve an isolated node, by part
+  std::vector<ShardCorner> shards;             ///< three a side of a loose node's body, by part
   std::vector<Range> partShards;               ///< of corners
-  std::vector<sim::NodeIndex> isolated;
-  std::vector<std::uint8_t> bondFlags;  ///< sums of BondFlag, one a bond
+  std::vector<std::uint8_t> bondFlags;         ///< sums of BondFlag, one a bond
 };
 
 enum BondFlag : std::uint8_t {
@@ -89,7 +91,7 @@ struct NodeDraw {
 
 /// Where everything is: another one every frame.
 struct MotionDraw {
-  std::vector<std::array<float, 4>> positions;  ///< cm, one a node; the fourth is not used
+  std::vector<std::array<float, 4>> positions;  ///< cm, of nodes, then hung points; the fourth is not used
   std::vector<std::uint32_t> normals;           ///< packNormal(), one a corner
 };
 

@@ -31,6 +31,10 @@ std::vector<std::uint8_t> hiddenParts(const sim::Network& network, const ViewSet
   return hidden;
 }
 
+sim::LooseNodes looseNodesOf(const ViewSettings& settings) {
+  return static_cast<sim::LooseNodes>(settings.isolated);
+}
+
 LatticeDraw latticeOf(const sim::Network& network) {
   LatticeDraw lattice;
   lattice.bonds.reserve(network.bondCount());
@@ -68,20 +72,19 @@ std::map<sim::FragmentId, sim::Vec3> explodedOffsets(const sim::Snapshot& moment
   return offsets;
 }
 
-std::vector<std::array<float, 4>> positionsOf(const sim::Snapshot& moment, double explode) {
-  std::vector<std::array<float, 4>> positions(moment.positions.size());
-  std::map<sim::FragmentId, sim::Vec3> offsets;
-  if (explode > 0.0) offsets = explodedOffsets(moment, explode);
+std::vector<sim::Vec3> explodedPositions(const sim::Snapshot& moment, double explode) {
+  std::vector<sim::Vec3> positions = moment.positions;
+  if (explode <= 0.0) return positions;
+  const std::map<sim::FragmentId, sim::Vec3> offsets = explodedOffsets(moment, explode);
   sim::FragmentId fragment = sim::kNone;
   sim::Vec3 offset = sim::Vec3::Zero();
   for (std::size_t node = 0; node < positions.size(); ++node) {
-    if (!offsets.empty() && moment.fragmentOfNode[node] != fragment) {
+    if (moment.fragmentOfNode[node] != fragment) {
       fragment = moment.fragmentOfNode[node];
       const auto found = offsets.find(fragment);
       offset = found == offsets.end() ? sim::Vec3(sim::Vec3::Zero()) : found->second;
     }
-    const Eigen::Vector3f position = (moment.positions[node] + offset).cast<float>();
-    positions[node] = {position.x(), position.y(), position.z(), 1.0F};
+    positions[node] += offset;
   }
   return positions;
 }
@@ -98,7 +101,9 @@ Eigen::AlignedBox3d boxOf(const std::vector<std::array<float, 4>>& positions) {
 }  // namespace
 
 bool DrawMaker::isNewTopology(const DrawData& data, const std::vector<std::uint8_t>& hidden) const {
-  if (!last_.topology || last_.shown.network != data.shown.network || hidden != hidden_) return true;
+  if (!last_.topology || last_.shown.network != data.shown.network || hidden != hidden_ ||
+      last_.settings.isolated != data.settings.isolated)
+    return true;
   const sim::Snapshot& before = *last_.shown.moment;
   const sim::Snapshot& now = *data.shown.moment;
   return &before != &now && (before.brokenBonds != now.brokenBonds || before.brokenCells != now.brokenCells ||
@@ -113,13 +118,11 @@ void DrawMaker::addColours(DrawData& data, bool newTopology) {
   const bool recoloured = newTopology || looks != looks_ ||
                           data.settings.colouring != last_.settings.colouring ||
                           data.settings.insideColour != last_.settings.insideColour;
-  const bool otherBalls = recoloured || data.settings.nodes != last_.settings.nodes ||
-                          data.settings.isolated != last_.settings.isolated;
+  const bool otherBalls = recoloured || data.settings.nodes != last_.settings.nodes;
   looks_ = std::move(looks);
   data.colours =
       recoloured ? std::make_shared<const ColourDraw>(palette.surface(*data.topology)) : last_.colours;
-  data.nodes =
-      otherBalls ? std::make_shared<const NodeDraw>(palette.nodes(*data.topology, hidden_)) : last_.nodes;
+  data.nodes = otherBalls ? std::make_shared<const NodeDraw>(palette.nodes(hidden_)) : last_.nodes;
 }
 
 void DrawMaker::addMotion(DrawData& data, bool newTopology) {
@@ -130,7 +133,8 @@ void DrawMaker::addMotion(DrawData& data, bool newTopology) {
     return;
   }
   MotionDraw motion;
-  motion.positions = positionsOf(*data.shown.moment, data.settings.explode);
+  motion.positions =
+      cornerPositions(*data.topology, explodedPositions(*data.shown.moment, data.settings.explode));
   motion.normals = cornerNormals(*data.topology, motion.positions);
   data.box = boxOf(motion.positions);
   data.motion = std::make_shared<const MotionDraw>(std::move(motion));
@@ -172,8 +176,9 @@ DrawData DrawMaker::make(const Shown& shown, const ViewSettings& settings,
     });
   }
   if (shown.network && shown.moment) {
+    if (shown.network != network_ || settings.isolated != last_.settings.isolated)
+      surface_ = std::make_unique<sim::SurfaceBuilder>(*shown.network, looseNodesOf(settings));
     if (shown.network != network_) {
-      surface_ = std::make_unique<sim::SurfaceBuilder>(*shown.network);
       network_ = shown.network;
       data.lattice = std::make_shared<const LatticeDraw>(latticeOf(*network_));
     } else {

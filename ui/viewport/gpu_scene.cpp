@@ -235,20 +235,26 @@ void GpuScene::drawShardCorners(std::uint32_t first, std::size_t count) {
   gl_.glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
-void GpuScene::drawSurface(QOpenGLShaderProgram& program, bool shards, std::optional<sim::PartIndex> part) {
+void GpuScene::drawFacesOfCells(QOpenGLShaderProgram& program) {
+  if (!data_->motion) return;
+  useNodes(program);
+  drawFaces(0, data_->topology->faces.size());
+}
+
+void GpuScene::drawSurface(QOpenGLShaderProgram& program, std::optional<sim::PartIndex> part) {
   if (!data_->motion) return;
   const TopologyDraw& topology = *data_->topology;
   useNodes(program);
   if (!part) {
     drawFaces(0, topology.faces.size());
-    if (shards) drawShardCorners(0, topology.shards.size());
+    drawShardCorners(0, topology.shards.size());
     return;
   }
   for (const TopologyDraw::Range& range : topology.partFaces) {
     if (range.part == *part) drawFaces(range.first, range.count);
   }
   for (const TopologyDraw::Range& range : topology.partShards) {
-    if (shards && range.part == *part) drawShardCorners(range.first, range.count);
+    if (range.part == *part) drawShardCorners(range.first, range.count);
   }
 }
 

@@ -25,7 +25,8 @@ class GpuScene {
 
   void bindNodePositions();
   /// Faces and, where wanted, shards; of one part, or of all.
-  void drawSurface(QOpenGLShaderProgram& program, bool shards, std::optional<sim::PartIndex> part = {});
+  void drawSurface(QOpenGLShaderProgram& program, std::optional<sim::PartIndex> part = {});
+  void drawFacesOfCells(QOpenGLShaderProgram& program);
   void drawShards(QOpenGLShaderProgram& program);
   void drawLevel(QOpenGLShaderProgram& program);
   void drawCollider(QOpenGLShaderProgram& program, std::size_t collider);

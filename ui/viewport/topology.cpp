@@ -18,12 +18,12 @@ bool isHidden(const std::vector<std::uint8_t>& hidden, sim::PartIndex part) {
 }
 
 /// Faces in the order in which they are drawn: part by part.
-std::vector<std::uint32_t> facesByPart(const sim::SurfaceMesh& mesh, const std::vector<std::uint8_t>& hidden,
-                                       std::uint8_t cornerCount) {
+std::vector<std::uint32_t> facesByPart(const sim::SurfaceTopology& mesh,
+                                       const std::vector<std::uint8_t>& hidden, bool loose) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     const sim::SurfaceMesh::Face& face = mesh.faces[f];
-    if (face.cornerCount == cornerCount && !isHidden(hidden, face.part)) order.push_back(f);
+    if ((face.cell == sim::kNone) == loose && !isHidden(hidden, face.part)) order.push_back(f);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return mesh.faces[a].part < mesh.faces[b].part; });
@@ -49,20 +49,35 @@ void gatherNormals(const std::vector<std::uint32_t>& normalOfCorner, std::size_t
     topology.cornersOfNormal[end[normalOfCorner[corner]]++] = corner;
 }
 
-void addFaces(const sim::SurfaceMesh& mesh, const std::vector<std::uint8_t>& hidden, TopologyDraw& topology) {
-  const std::vector<std::uint32_t> order = facesByPart(mesh, hidden, 4);
+/// Of each point of the surface, its place among the positions: its node, or behind all nodes.
+std::vector<std::uint32_t> placesOfPoints(const sim::Network& network, TopologyDraw& topology) {
+  const sim::SurfaceTopology& mesh = topology.surface;
+  std::vector<std::uint32_t> places(mesh.pointCount());
+  for (std::uint32_t point = 0; point < places.size(); ++point) {
+    const bool atNode = mesh.firstAnchor[point] == mesh.firstAnchor[point + 1];
+    places[point] = atNode ? mesh.nodeOfPoint[point]
+                           : static_cast<std::uint32_t>(network.nodeCount() + topology.hungPoints.size());
+    if (!atNode) topology.hungPoints.push_back(point);
+  }
+  return places;
+}
+
+void addFaces(const sim::Network& network, const std::vector<std::uint8_t>& hidden, TopologyDraw& topology) {
+  const sim::SurfaceTopology& mesh = topology.surface;
+  const std::vector<std::uint32_t> order = facesByPart(mesh, hidden, false);
+  const std::vector<std::uint32_t> places = placesOfPoints(network, topology);
   std::vector<std::uint32_t> normalOfCorner;
   topology.faces.reserve(order.size());
   topology.cornerNodes.reserve(4 * order.size());
   topology.indices.reserve(6 * order.size());
   normalOfCorner.reserve(4 * order.size());
   for (const std::uint32_t f : order) {
-    const sim::SurfaceMesh::Face& from = mesh.faces[f];
+    const sim::SurfaceMeshFace& from = mesh.faces[f];
     const auto index = static_cast<std::uint32_t>(topology.faces.size());
     DrawnFace face{{}, from.cell, from.fragment, from.part, from.material, from.inside};
     for (std::size_t c = 0; c < 4; ++c) {
       face.nodes[c] = mesh.nodeOfPoint[from.points[c]];
-      topology.cornerNodes.push_back(face.nodes[c]);
+      topology.cornerNodes.push_back(places[from.points[c]]);
       normalOfCorner.push_back(from.normals[c]);
     }
     for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
@@ -70,20 +85,21 @@ void addFaces(const sim::SurfaceMesh& mesh, const std::vector<std::uint8_t>& hid
     extendRange(topology.partFaces, face.part, index, 1);
     topology.faces.push_back(face);
   }
-  gatherNormals(normalOfCorner, mesh.normals.size(), topology);
+  gatherNormals(normalOfCorner, mesh.normalCount(), topology);
 }
 
-void addShards(const sim::SurfaceMesh& mesh, const sim::Snapshot& moment,
-               const std::vector<std::uint8_t>& hidden, TopologyDraw& topology) {
-  for (const std::uint32_t f : facesByPart(mesh, hidden, 3)) {
-    const sim::SurfaceMesh::Face& face = mesh.faces[f];
+void addShards(const sim::Network& network, const std::vector<std::uint8_t>& hidden, TopologyDraw& topology) {
+  const sim::SurfaceTopology& mesh = topology.surface;
+  const std::vector<sim::Vec3> normals = sim::placeNormals(mesh, mesh.restPoints);
+  for (const std::uint32_t f : facesByPart(mesh, hidden, true)) {
+    const sim::SurfaceMeshFace& face = mesh.faces[f];
     extendRange(topology.partShards, face.part, static_cast<std::uint32_t>(topology.shards.size()), 3);
     const sim::NodeIndex node = mesh.nodeOfPoint[face.points[0]];
-    if (topology.isolated.empty() || topology.isolated.back() != node) topology.isolated.push_back(node);
     for (std::size_t c = 0; c < 3; ++c) {
-      const Eigen::Vector3f offset = (mesh.points[face.points[c]] - moment.positions[node]).cast<float>();
+      const Eigen::Vector3f offset =
+          (mesh.restPoints[face.points[c]] - network.positions[node]).cast<float>();
       topology.shards.push_back(
-          {node, {offset.x(), offset.y(), offset.z()}, packNormal(mesh.normals[face.normals[c]])});
+          {node, {offset.x(), offset.y(), offset.z()}, packNormal(normals[face.normals[c]])});
     }
   }
 }
@@ -106,9 +122,12 @@ std::vector<std::uint8_t> flagsOf(const sim::Network& network, const sim::Snapsh
 Eigen::Vector3f weightedNormal(const TopologyDraw& topology,
                                const std::vector<std::array<float, 4>>& positions, std::uint32_t corner) {
   const std::uint32_t face = corner & ~3U;
-  const Eigen::Vector3f here = pointAt(positions, topology.cornerNodes[corner]);
-  const Eigen::Vector3f forward = pointAt(positions, topology.cornerNodes[face + (corner + 1) % 4]) - here;
-  const Eigen::Vector3f backward = pointAt(positions, topology.cornerNodes[face + (corner + 3) % 4]) - here;
+  const auto nodeAt = [&](std::uint32_t step) { return topology.cornerNodes[face + (corner + step) % 4]; };
+  const std::uint32_t own = nodeAt(0);
+  const Eigen::Vector3f here = pointAt(positions, own);
+  // A triangle has its third corner twice.
+  const Eigen::Vector3f forward = pointAt(positions, nodeAt(1) == own ? nodeAt(2) : nodeAt(1)) - here;
+  const Eigen::Vector3f backward = pointAt(positions, nodeAt(3) == own ? nodeAt(2) : nodeAt(3)) - here;
   const Eigen::Vector3f cross = forward.cross(backward);
   const float length = cross.norm();
   if (!(length > 0.0F)) return Eigen::Vector3f::Zero();
@@ -136,14 +155,29 @@ sim::Vec3 unpackNormal(std::uint32_t packed) {
   return normal;
 }
 
-TopologyDraw topologyOf(const sim::Network& network, const sim::SurfaceBuilder& surface,
+TopologyDraw topologyOf(const sim::Network& network, sim::SurfaceBuilder& surface,
                         const sim::Snapshot& moment, const std::vector<std::uint8_t>& hidden) {
   TopologyDraw topology;
-  const sim::SurfaceMesh mesh = surface.build(moment);
-  addFaces(mesh, hidden, topology);
-  addShards(mesh, moment, hidden, topology);
+  topology.surface = surface.topology(moment);
+  addFaces(network, hidden, topology);
+  addShards(network, hidden, topology);
   topology.bondFlags = flagsOf(network, moment, hidden);
   return topology;
+}
+
+std::vector<std::array<float, 4>> cornerPositions(const TopologyDraw& topology,
+                                                  const std::vector<sim::Vec3>& nodePositions) {
+  std::vector<std::array<float, 4>> positions;
+  positions.reserve(nodePositions.size() + topology.hungPoints.size());
+  const auto add = [&](const sim::Vec3& at) {
+    const Eigen::Vector3f position = at.cast<float>();
+    positions.push_back({position.x(), position.y(), position.z(), 1.0F});
+  };
+  for (const sim::Vec3& at : nodePositions) add(at);
+  if (topology.hungPoints.empty()) return positions;
+  const std::vector<sim::Vec3> points = sim::placePoints(topology.surface, nodePositions);
+  for (const std::uint32_t point : topology.hungPoints) add(points[point]);
+  return positions;
 }
 
 std::vector<std::uint32_t> cornerNormals(const TopologyDraw& topology,

@@ -83,8 +83,10 @@ void ViewChoices::addColouring() {
 
 void ViewChoices::addIsolated() {
   auto* box = new QComboBox(this);
-  box->addItems({tr("Tetrahedra"), tr("Balls"), tr("Hidden")});
-  box->setToolTip(tr("Nodes that nothing holds any more"));
+  box->addItems({tr("Shards"), tr("Tetrahedra"), tr("Balls"), tr("Given to neighbours")});
+  box->setToolTip(
+      tr("Nodes that nothing holds any more: shards that fill what their cells filled, or what stands "
+         "for them, or their material stays with the fragments beside them"));
   box->setCurrentIndex(static_cast<int>(viewport_.viewSettings().isolated));
   connect(box, &QComboBox::currentIndexChanged, this, [this](int index) {
     changeSettings(viewport_,

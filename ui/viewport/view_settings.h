@@ -10,7 +10,8 @@ namespace ui {
 enum class Colouring : std::uint8_t { material, fragments, quality };
 
 /// How a node is shown that nothing holds any more.
-enum class IsolatedNodes : std::uint8_t { tetrahedra, spheres, hidden };
+/// As sim::LooseNodes, in the same order.
+enum class IsolatedNodes : std::uint8_t { shards, tetrahedra, spheres, hidden };
 
 /// What of the lattice is drawn, and how. All of it can be combined.
 struct ViewSettings {
@@ -23,7 +24,7 @@ struct ViewSettings {
   bool xray = false;         ///< the surface lets through what is behind it
   bool insideColour = true;  ///< faces of fracture in the material's inside colour
   Colouring colouring = Colouring::material;
-  IsolatedNodes isolated = IsolatedNodes::tetrahedra;
+  IsolatedNodes isolated = IsolatedNodes::shards;
   double explode = 0.0;  ///< fragments move away from the middle of their body by this share of the distance
   bool grid = true;
   bool shadows = true;

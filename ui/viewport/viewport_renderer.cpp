@@ -186,8 +186,7 @@ void ViewportRenderer::paintShadowMap() {
   program.setUniformValue("clipFromWorld", clip * view);
   program.setUniformValue("nodePositions", 0);
   scene_->bindNodePositions();
-  if (data.settings.surface)
-    scene_->drawSurface(program, data.settings.isolated == IsolatedNodes::tetrahedra);
+  if (data.settings.surface) scene_->drawSurface(program);
   scene_->drawLevel(program);
   for (std::size_t i = 0; i < data.colliders.size(); ++i) {
     if (data.colliders[i].visible) scene_->drawCollider(program, i);
@@ -255,8 +254,7 @@ void ViewportRenderer::paintSolids(const PictureFrame& frame) {
     if (data.colliders[i].visible) scene_->drawCollider(program, i);
   }
   scene_->drawLevel(program);
-  if (data.settings.surface && !data.settings.xray)
-    scene_->drawSurface(program, data.settings.isolated == IsolatedNodes::tetrahedra);
+  if (data.settings.surface && !data.settings.xray) scene_->drawSurface(program);
 }
 
 void ViewportRenderer::paintXray(const PictureFrame& frame) {
@@ -268,7 +266,7 @@ void ViewportRenderer::paintXray(const PictureFrame& frame) {
   program.setUniformValue("opacity", 0.16F);
   gl_.glEnable(GL_BLEND);
   gl_.glDepthMask(GL_FALSE);
-  scene_->drawSurface(program, data.settings.isolated == IsolatedNodes::tetrahedra);
+  scene_->drawSurface(program);
   gl_.glDepthMask(GL_TRUE);
   gl_.glDisable(GL_BLEND);
 }
@@ -370,9 +368,7 @@ void ViewportRenderer::paintOutline(const PictureFrame& frame) {
   gl_.glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
   gl_.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   useCamera(programs_->solidMask, frame);
-  const bool shards = scene_->data().settings.isolated == IsolatedNodes::tetrahedra;
-  for (const sim::PartIndex part : frame.outlinedParts)
-    scene_->drawSurface(programs_->solidMask, shards, part);
+  for (const sim::PartIndex part : frame.outlinedParts) scene_->drawSurface(programs_->solidMask, part);
   for (const std::size_t collider : frame.outlinedColliders) {
     if (collider < scene_->data().colliders.size()) scene_->drawCollider(programs_->solidMask, collider);
   }

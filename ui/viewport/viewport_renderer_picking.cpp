@@ -80,8 +80,7 @@ void ViewportRenderer::identifySurface(const PictureFrame& frame) {
   solid.setUniformValue("firstIndex", 0);
   solid.setUniformValue("kind", static_cast<GLint>(kFace));
   solid.setUniformValue("primitivesEach", 2);
-  scene_->drawSurface(solid, false);
-  if (scene_->data().settings.isolated != IsolatedNodes::tetrahedra) return;
+  scene_->drawFacesOfCells(solid);
   solid.setUniformValue("kind", static_cast<GLint>(kShard));
   solid.setUniformValue("primitivesEach", 1);
   scene_->drawShards(solid);

@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "sim/network/surface_mesh.h"
+#include "sim/network/surface_topology.h"
 
-namespace ui {
+namespace sim {
 
 /// Curved patches over the faces of a surface, without gaps: neighbours share the curve of their common edge.
 ///
@@ -15,28 +15,28 @@ namespace ui {
 class CurvedFaces {
  public:
   /// Keeps a reference to the surface.
-  explicit CurvedFaces(const sim::SurfaceMesh& surface);
+  explicit CurvedFaces(const SurfaceMesh& surface);
 
-  /// The point of a four-cornered face at (u, v) in [0, 1]^2; corners 0, 1, 2, 3 are at (0,0), (1,0), (1,1),
-  /// (0,1).
-  sim::Vec3 point(std::size_t face, double u, double v) const;
+  /// The point of a face at (u, v) in [0, 1]^2; corners 0, 1, 2, 3 are at (0,0), (1,0), (1,1), (0,1), where a
+  /// triangle's third is the fourth too. Not for triangles of broken ground, which are flat.
+  Vec3 point(std::size_t face, double u, double v) const;
 
  private:
   struct Edge {
     std::uint32_t low = 0;  ///< points, low < high; the curve runs from low to high
     std::uint32_t high = 0;
-    sim::Vec3 lowTangent = sim::Vec3::Zero();
-    sim::Vec3 highTangent = sim::Vec3::Zero();
+    Vec3 lowTangent = Vec3::Zero();
+    Vec3 highTangent = Vec3::Zero();
   };
   struct Side;
 
-  sim::Vec3 tangent(std::uint32_t at, std::uint32_t to, const std::vector<std::uint32_t>& normals) const;
+  Vec3 tangent(std::uint32_t at, std::uint32_t to, const std::vector<std::uint32_t>& normals) const;
   /// On side s of the face, from its corner s to its corner s + 1.
-  sim::Vec3 sidePoint(std::size_t face, std::uint32_t side, double share) const;
+  Vec3 sidePoint(std::size_t face, std::uint32_t side, double share) const;
 
-  const sim::SurfaceMesh& surface_;
+  const SurfaceMesh& surface_;
   std::vector<Edge> edges_;
   std::vector<std::array<std::uint32_t, 4>> edgesOfFace_;
 };
 
-}  // namespace ui
+}  // namespace sim

@@ -1,4 +1,4 @@
-#include "ui/picture/curved_faces.h"
+#include "sim/network/curved_faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace ui {
-
-using sim::Vec3;
+namespace sim {
 
 /// A face's side, to be gathered with the others on its edge.
 struct CurvedFaces::Side {
@@ -35,14 +33,19 @@ Vec3 hermite(const Vec3& from, const Vec3& fromTangent, const Vec3& to, const Ve
          t * t * s * toTangent;
 }
 
+/// Triangles of the outside are quadrilaterals whose last side has no length; those of broken ground are
+/// flat.
+bool isCurved(const SurfaceMeshFace& face) {
+  return face.cornerCount == 4 || !face.inside;
+}
+
 }  // namespace
 
-CurvedFaces::CurvedFaces(const sim::SurfaceMesh& surface)
-    : surface_(surface), edgesOfFace_(surface.faces.size()) {
+CurvedFaces::CurvedFaces(const SurfaceMesh& surface) : surface_(surface), edgesOfFace_(surface.faces.size()) {
   std::vector<Side> sides;
   for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
     const auto& face = surface.faces[f];
-    if (face.cornerCount != 4) continue;
+    if (!isCurved(face)) continue;
     for (std::uint32_t c = 0; c < 4; ++c) {
       const auto [low, high] = std::minmax(face.points[c], face.points[(c + 1) % 4]);
       sides.push_back({low, high, f, c});
@@ -103,4 +106,4 @@ Vec3 CurvedFaces::point(std::size_t face, double u, double v) const {
          (1 - u) * sidePoint(face, 3, 1 - v) + u * sidePoint(face, 1, v) - bilinear;
 }
 
-}  // namespace ui
+}  // namespace sim

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/dynamics/snapshot.h"
+#include "sim/network/cell_cuts.h"
+#include "sim/network/crack_net.h"
+#include "sim/network/surface_topology.h"
+
+namespace sim {
+
+/// The surface of one body in one state of breaking.
+SurfaceTopology bodySurface(const CellComplex& complex, const WholeOutside& whole, const CellCuts& cuts,
+                            const CellComplex::Body& body, const Snapshot& moment, LooseNodes looseNodes,
+                            const std::vector<float>& damage);
+
+/// What is drawn at a loose node in place of its material: an irregular tetrahedron, turned at random by the
+/// node's index, or a sphere.
+void addLooseBody(const Network& network, const Snapshot& moment, NodeIndex node, bool sphere, float damage,
+                  SurfaceTopology& topology);
+
+/// Of each node, the share of its bonds that are broken; 0 where it has none.
+std::vector<float> damageOfNodes(const Network& network, const Snapshot& moment);
+
+/// Sorts the faces by fragment, then by cell, and groups their normals.
+void finishTopology(SurfaceTopology& topology);
+
+}  // namespace sim

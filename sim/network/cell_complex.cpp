@@ -1,0 +1,163 @@
+#include "sim/network/cell_complex.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace sim {
+
+namespace {
+
+using Quad = std::array<NodeIndex, 4>;
+
+Quad sideNodes(const CellCorners& cell, std::uint32_t side) {
+  const auto& corners = kSideCorners[side];
+  return {cell[corners[0]], cell[corners[1]], cell[corners[2]], cell[corners[3]]};
+}
+
+Quad sortedQuad(const CellCorners& cell, std::uint32_t side) {
+  Quad quad = sideNodes(cell, side);
+  std::sort(quad.begin(), quad.end());
+  return quad;
+}
+
+}  // namespace
+
+CellComplex::CellComplex(const Network& network) : network_(network) {
+  findTwins();
+  listCellsOfNodes();
+  listOutside();
+  findBodies();
+}
+
+std::array<NodeIndex, 4> CellComplex::nodesOf(std::uint32_t face) const {
+  return sideNodes(network_.cells[face / kCellSides], face % kCellSides);
+}
+
+std::uint32_t CellComplex::outsidePlace(std::uint32_t face) const {
+  if (twins_[face] != face) return kNone;
+  const auto found = std::lower_bound(outsideFaces_.begin(), outsideFaces_.end(), face);
+  return static_cast<std::uint32_t>(found - outsideFaces_.begin());
+}
+
+std::span<const CellComplex::OutsideEdge> CellComplex::outsideEdges(NodeIndex a, NodeIndex b) const {
+  const auto [low, high] = std::minmax(a, b);
+  const OutsideEdge wanted{low, high, 0, 0};
+  const auto range = std::equal_range(
+      outsideEdges_.begin(), outsideEdges_.end(), wanted,
+      [](const auto& x, const auto& y) { return std::tie(x.low, x.high) < std::tie(y.low, y.high); });
+  return {range.first, range.second};
+}
+
+// Faces are gathered by their lowest node. A node bounds the faces of a handful of cells, so that the
+// comparison of all pairs in its bucket costs less than a hash table and needs no random order.
+void CellComplex::findTwins() {
+  const auto faceCount = static_cast<std::uint32_t>(network_.cellCount() * kCellSides);
+  twins_.resize(faceCount);
+  std::vector<Quad> quads(faceCount);
+  std::vector<std::uint32_t> bucketStart(network_.nodeCount() + 1, 0);
+  for (std::uint32_t face = 0; face < faceCount; ++face) {
+    quads[face] = sortedQuad(network_.cells[face / kCellSides], face % kCellSides);
+    ++bucketStart[quads[face][0] + 1];
+  }
+  std::partial_sum(bucketStart.begin(), bucketStart.end(), bucketStart.begin());
+
+  std::vector<std::uint32_t> bucketEnd(bucketStart.begin(), bucketStart.end() - 1);
+  std::vector<std::uint32_t> bucketed(faceCount);
+  for (std::uint32_t face = 0; face < faceCount; ++face) {
+    twins_[face] = face;
+    std::uint32_t& end = bucketEnd[quads[face][0]];
+    for (std::uint32_t slot = bucketStart[quads[face][0]]; slot < end; ++slot) {
+      const std::uint32_t other = bucketed[slot];
+      if (quads[other] == quads[face]) {
+        std::swap(twins_[face], twins_[other]);
+        break;
+      }
+    }
+    bucketed[end++] = face;
+  }
+}
+
+void CellComplex::listCellsOfNodes() {
+  firstCell_.assign(network_.nodeCount() + 1, 0);
+  for (const CellCorners& cell : network_.cells) {
+    for (const NodeIndex node : cell) ++firstCell_[node + 1];
+  }
+  std::partial_sum(firstCell_.begin(), firstCell_.end(), firstCell_.begin());
+  cellsOfNode_.resize(firstCell_.back());
+  std::vector<std::uint32_t> next(firstCell_.begin(), firstCell_.end() - 1);
+  for (CellIndex cell = 0; cell < network_.cellCount(); ++cell) {
+    for (const NodeIndex node : network_.cells[cell]) cellsOfNode_[next[node]++] = cell;
+  }
+}
+
+void CellComplex::listOutside() {
+  for (std::uint32_t face = 0; face < twins_.size(); ++face) {
+    if (twins_[face] != face) continue;
+    const Quad nodes = nodesOf(face);
+    for (std::uint8_t side = 0; side < 4; ++side) {
+      const auto [low, high] = std::minmax(nodes[side], nodes[(side + 1U) % 4]);
+      outsideEdges_.push_back({low, high, static_cast<std::uint32_t>(outsideFaces_.size()), side});
+    }
+    outsideFaces_.push_back(face);
+  }
+  std::stable_sort(outsideEdges_.begin(), outsideEdges_.end(), [](const auto& x, const auto& y) {
+    return std::tie(x.low, x.high) < std::tie(y.low, y.high);
+  });
+}
+
+void CellComplex::findBodies() {
+  std::vector<std::uint32_t> bodyOfNode(network_.nodeCount(), kNone);
+  std::vector<NodeIndex> reached;
+  for (NodeIndex first = 0; first < network_.nodeCount(); ++first) {
+    if (cellsOf(first).empty()) bareNodes_.push_back(first);
+    if (bodyOfNode[first] != kNone || cellsOf(first).empty()) continue;
+    const auto body = static_cast<std::uint32_t>(bodies_.size());
+    bodies_.emplace_back();
+    reached = {first};
+    bodyOfNode[first] = body;
+    while (!reached.empty()) {
+      const NodeIndex node = reached.back();
+      reached.pop_back();
+      for (const CellIndex cell : cellsOf(node)) {
+        for (const NodeIndex other : network_.cells[cell]) {
+          if (bodyOfNode[other] != kNone) continue;
+          bodyOfNode[other] = body;
+          reached.push_back(other);
+        }
+      }
+    }
+  }
+  for (NodeIndex node = 0; node < network_.nodeCount(); ++node) {
+    if (bodyOfNode[node] != kNone) bodies_[bodyOfNode[node]].nodes.push_back(node);
+  }
+  for (CellIndex cell = 0; cell < network_.cellCount(); ++cell)
+    bodies_[bodyOfNode[network_.cells[cell][0]]].cells.push_back(cell);
+  for (std::uint32_t place = 0; place < outsideFaces_.size(); ++place) {
+    const CellIndex cell = outsideFaces_[place] / kCellSides;
+    bodies_[bodyOfNode[network_.cells[cell][0]]].outsideFaces.push_back(place);
+  }
+}
+
+MaterialIndex CellComplex::materialOf(CellIndex cell) const {
+  const CellCorners& corners = network_.cells[cell];
+  const MaterialIndex first = network_.nodeMaterials[corners[0]];
+  for (const NodeIndex a : corners) {
+    if (network_.nodeMaterials[a] == first) continue;
+    for (const NodeIndex b : corners) {
+      if (network_.nodeMaterials[b] != first) continue;
+      if (const BondIndex glue = network_.findBond(a, b); glue != kNone) return network_.bond(glue).material;
+    }
+  }
+  return first;
+}
+
+PartIndex CellComplex::partOf(CellIndex cell) const {
+  const MaterialIndex material = materialOf(cell);
+  for (const NodeIndex node : network_.cells[cell]) {
+    if (network_.nodeMaterials[node] == material) return network_.nodeParts[node];
+  }
+  return network_.nodeParts[network_.cells[cell][0]];
+}
+
+}  // namespace sim
