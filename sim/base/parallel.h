@@ -1,14 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #if defined(__SANITIZE_THREAD__)
-#include <algorithm>
 #include <thread>
-#include <vector>
 
 #include <tbb/task_arena.h>
 #endif
@@ -53,6 +53,27 @@ void parallelFor(std::size_t count, const Body& body) {
   parallelRanges(count, 1, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
     for (std::size_t index = begin; index < end; ++index) body(index);
   });
+}
+
+/// What visit(index, found) appends to `found` for each index of [0, count), in the order of the indices, for
+/// any number of threads.
+template <class Item, class Visit>
+std::vector<Item> collectInOrder(std::size_t count, std::size_t grain, const Visit& visit) {
+  const std::size_t tasks = (count + grain - 1) / grain;
+  std::vector<std::vector<Item>> parts(tasks);
+  parallelFor(tasks, [&](std::size_t task) {
+    const std::size_t end = std::min(count, (task + 1) * grain);
+    for (std::size_t index = task * grain; index < end; ++index) visit(index, parts[task]);
+  });
+  std::vector<Item> all;
+  for (std::vector<Item>& part : parts) {
+    if (all.empty()) {
+      all.swap(part);
+    } else {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+  }
+  return all;
 }
 
 }  // namespace sim

@@ -272,36 +272,50 @@ double Contacts::energy(const Moment& moment) const {
   return sum;
 }
 
+/// What touches in a row, or may before the step is chosen again. Most rows are out of the question even if
+/// all in them touched.
+void Contacts::raiseByRow(std::uint32_t index, const Moment& moment, Stiffest& most) const {
+  const Row& row = rows_[index];
+  const double mass = network_->masses[row.node];
+  if (!std::isfinite(mass)) return;
+  double stiffness = 0.0;
+  double damping = 0.0;
+  for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
+    const Collider& collider = moment.colliders[nearColliders_[c]].shape;
+    const double k = colliderStiffness(row.node, collider, moment.materials);
+    stiffness += k;
+    damping += 2.0 * collider.dampingRatio * std::sqrt(k * mass);
+  }
+  const Stiffest& pairs = mostOfRow_[index];
+  const Stiffest all{(stiffness + pairs.rateSquared) / mass, (damping + pairs.damping) / mass};
+  if (!moment.scaled && most.covers(all)) return;
+  const Vec3 here = moment.motion.position.get(row.node);
+  const double closing = kChoiceShare * largestNatural_;
+  for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
+    const Entry& entry = entries_[e];
+    const double reach = entry.rho + closing;
+    if ((moment.motion.position.get(entry.other) - here).squaredNorm() > reach * reach) continue;
+    const PairConstants constants = scaled(constants_[e], row.node, entry, moment);
+    stiffness += 2.0 * constants.stiffness;
+    damping += 2.0 * constants.damping;
+  }
+  most.raise({stiffness / mass, damping / mass});
+}
+
 Contacts::Stiffest Contacts::stiffest(const Moment& moment, const Forces& forces) const {
-  Stiffest most;
   const double closing = kChoiceShare * largestNatural_;
   const bool looked = forces.looksOfRebuild == rebuilds_ && forces.looks.size() == rows_.size();
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    const Row& row = rows_[r];
-    const bool clear = looked && 2.0 * (forces.looks[r].clearUntil - odometer_) > closing;
-    if (clear && row.firstCollider == row.lastCollider) continue;
-    const double mass = network_->masses[row.node];
-    if (!std::isfinite(mass)) continue;
-    const Vec3 here = moment.motion.position.get(row.node);
-    double stiffness = 0.0;
-    double damping = 0.0;
-    for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
-      const Entry& entry = entries_[e];
-      const double reach = entry.rho + closing;
-      if ((moment.motion.position.get(entry.other) - here).squaredNorm() > reach * reach) continue;
-      const PairConstants constants = scaled(constants_[e], row.node, entry, moment);
-      stiffness += 2.0 * constants.stiffness;
-      damping += 2.0 * constants.damping;
+  std::vector<Stiffest> parts((rows_.size() + kLookGrain - 1) / kLookGrain);
+  parallelFor(parts.size(), [&](std::size_t part) {
+    const std::size_t end = std::min(rows_.size(), (part + 1) * kLookGrain);
+    for (auto r = static_cast<std::uint32_t>(part * kLookGrain); r < end; ++r) {
+      const bool clear = looked && 2.0 * (forces.looks[r].clearUntil - odometer_) > closing;
+      if (clear && rows_[r].firstCollider == rows_[r].lastCollider) continue;
+      raiseByRow(r, moment, parts[part]);
     }
-    for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
-      const Collider& collider = moment.colliders[nearColliders_[c]].shape;
-      const double k = colliderStiffness(row.node, collider, moment.materials);
-      stiffness += k;
-      damping += 2.0 * collider.dampingRatio * std::sqrt(k * mass);
-    }
-    most.rateSquared = std::max(most.rateSquared, stiffness / mass);
-    most.damping = std::max(most.damping, damping / mass);
-  }
+  });
+  Stiffest most;
+  for (const Stiffest& part : parts) most.raise(part);
   return most;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/parallel.h"
 #include "sim/contact/contacts.h"
 #include "sim/contact/shared_motion.h"
 
@@ -23,6 +24,7 @@ constexpr double kTravelShare = 0.25;
 constexpr double kRounding = 1.0 + 1e-9;
 /// Nodes of one fragment that were nearer than this, in natural lengths, when at rest are no self contact.
 constexpr double kSelfRestShare = 2.0;
+constexpr std::size_t kCubesPerTask = 256;
 
 double distanceOf(const Motion& motion, NodeIndex i, NodeIndex j) {
   return (motion.position.get(j) - motion.position.get(i)).norm();
@@ -172,7 +174,7 @@ void Contacts::collectContacts(const Motion& motion, std::span<const NodeIndex> 
                                std::vector<Candidate>& pairs) {
   ++searches_;
   grid_.build(motion.position, nodes, components.fragmentOfNode(), largestNatural_ + pairSkin_);
-  grid_.forEachNearPair(settings_.self, [&](NodeIndex first, NodeIndex second) {
+  const auto consider = [&](NodeIndex first, NodeIndex second, std::vector<Candidate>& found) {
     const NodeIndex i = std::min(first, second);
     const NodeIndex j = std::max(first, second);
     const double natural = naturalLength(i, j);
@@ -182,8 +184,13 @@ void Contacts::collectContacts(const Motion& motion, std::span<const NodeIndex> 
     if (!(std::min(nodeStiffness_[i], nodeStiffness_[j]) > 0.0F)) return;
     const Entry* old = oldEntry(i, j);
     const double rho = old != nullptr ? old->rho : std::min(natural, std::sqrt(squared));
-    pairs.push_back({i, j, {rho, kNone, kNone}});
-  });
+    found.push_back({i, j, {rho, kNone, kNone}});
+  };
+  const auto near = collectInOrder<Candidate>(
+      grid_.cubeCount(), kCubesPerTask, [&](std::size_t cube, std::vector<Candidate>& found) {
+        grid_.forEachPairOf(cube, settings_.self, [&](NodeIndex i, NodeIndex j) { consider(i, j, found); });
+      });
+  pairs.insert(pairs.end(), near.begin(), near.end());
 }
 
 /// One flag a fragment: some of its nodes may be near the collider. No depth changes by more than the way
@@ -287,6 +294,7 @@ void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<N
 void Contacts::deduce() {
   growing_.clear();
   constants_.resize(entries_.size());
+  mostOfRow_.assign(rows_.size(), {});
   longest_ = largestNatural_;
   for (const BrokenPair& pair : broken_) longest_ = std::max(longest_, pair.restLength);
   for (std::uint32_t r = 0; r < rows_.size(); ++r) {
@@ -297,6 +305,8 @@ void Contacts::deduce() {
       const bool broken = entry.brokenBond != kNone;
       const double natural = broken ? entry.rho : naturalLength(row.node, entry.other);
       constants_[e] = constantsOf(row.node, entry);
+      mostOfRow_[r].rateSquared += 2.0 * constants_[e].stiffness;
+      mostOfRow_[r].damping += 2.0 * constants_[e].damping;
       reach = std::max(reach, natural);
       if (entry.rho < natural) growing_.push_back({r, e});
     }
@@ -445,8 +455,8 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
 std::size_t Contacts::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return bytes(nodeStiffness_) + grid_.memoryBytes() + bytes(rows_) + bytes(entries_) + bytes(constants_) +
-         bytes(nearColliders_) + bytes(rowOfNode_) + bytes(growing_) + bytes(broken_) + bytes(fresh_) +
-         (reference_.size() > 0 ? reference_.memoryBytes() : 0);
+         bytes(mostOfRow_) + bytes(nearColliders_) + bytes(rowOfNode_) + bytes(growing_) + bytes(broken_) +
+         bytes(fresh_) + (reference_.size() > 0 ? reference_.memoryBytes() : 0);
 }
 
 }  // namespace sim

@@ -151,6 +151,14 @@ class Contacts {
   struct Stiffest {
     double rateSquared = 0.0;  ///< largest over nodes of the sum of (2 k_pair + k_collider) / m, 1/s^2
     double damping = 0.0;      ///< likewise of 2 d / m, 1/s
+
+    void raise(const Stiffest& other) {
+      rateSquared = std::max(rateSquared, other.rateSquared);
+      damping = std::max(damping, other.damping);
+    }
+    bool covers(const Stiffest& other) const {
+      return other.rateSquared <= rateSquared && other.damping <= damping;
+    }
   };
   /// `forces` are of this step or the one before, or have been forgotten: what was found clear then need not
   /// be looked at.
@@ -252,6 +260,7 @@ class Contacts {
   void addColliderTangent(NodeIndex node, const MovingCollider& collider, const Moment& moment,
                           std::span<const RowLook> looks, std::vector<Tangent>& tangents) const;
   void pushFresh(const Moment& moment, Forces& forces) const;
+  void raiseByRow(std::uint32_t row, const Moment& moment, Stiffest& most) const;
   double colliderStiffness(NodeIndex node, const Collider& collider,
                            std::span<const MaterialNow> materials) const;
 
@@ -272,6 +281,7 @@ class Contacts {
   std::vector<Row> rows_;  ///< by node
   std::vector<Entry> entries_;
   std::vector<PairConstants> constants_;  ///< by entry: square roots are not for every step
+  std::vector<Stiffest> mostOfRow_;       ///< by row: if all its pairs touched, not yet over the node's mass
   std::vector<std::uint32_t> nearColliders_;
   std::vector<std::uint32_t> rowOfNode_;  ///< kNone where a node has none
   struct Growing {

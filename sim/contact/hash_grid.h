@@ -17,25 +17,24 @@ class HashGrid {
   void build(const NodeVectors& positions, std::span<const NodeIndex> nodes,
              std::span<const FragmentId> fragmentOfNode, double edge);
 
-  /// Calls visit(i, j), i != j, once for each unordered pair of nodes in the same or touching cubes, unless
-  /// both cubes hold one and the same fragment only and `withinFragments` is false.
+  /// Calls visit(i, j), i != j, for each pair of nodes of which one is in cube `index` and the other in the
+  /// same or a touching cube, unless both cubes hold one and the same fragment only and `withinFragments` is
+  /// false. Over all cubes, each unordered pair is visited once.
   template <class Visit>
-  void forEachNearPair(bool withinFragments, Visit&& visit) const {
-    for (std::uint32_t c = 0; c < cubes_.size(); ++c) {
-      const Cube& cube = cubes_[c];
-      if (withinFragments || cube.tag == kMixed) {
-        for (std::uint32_t i = cube.first; i < cube.last; ++i) {
-          for (std::uint32_t j = i + 1; j < cube.last; ++j) visit(nodes_[i], nodes_[j]);
-        }
+  void forEachPairOf(std::size_t index, bool withinFragments, Visit&& visit) const {
+    const Cube& cube = cubes_[index];
+    if (withinFragments || cube.tag == kMixed) {
+      for (std::uint32_t i = cube.first; i < cube.last; ++i) {
+        for (std::uint32_t j = i + 1; j < cube.last; ++j) visit(nodes_[i], nodes_[j]);
       }
-      for (const auto& step : kForward) {
-        const std::uint32_t other = find(shifted(cube.at, step));
-        if (other == kNone) continue;
-        const Cube& there = cubes_[other];
-        if (!withinFragments && cube.tag == there.tag && cube.tag != kMixed) continue;
-        for (std::uint32_t i = cube.first; i < cube.last; ++i) {
-          for (std::uint32_t j = there.first; j < there.last; ++j) visit(nodes_[i], nodes_[j]);
-        }
+    }
+    for (const auto& step : kForward) {
+      const std::uint32_t other = find(shifted(cube.at, step));
+      if (other == kNone) continue;
+      const Cube& there = cubes_[other];
+      if (!withinFragments && cube.tag == there.tag && cube.tag != kMixed) continue;
+      for (std::uint32_t i = cube.first; i < cube.last; ++i) {
+        for (std::uint32_t j = there.first; j < there.last; ++j) visit(nodes_[i], nodes_[j]);
       }
     }
   }

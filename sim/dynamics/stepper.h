@@ -150,6 +150,7 @@ class Stepper {
   Status readReports(double& travel);
   void breakOverstretched();
   std::vector<Breakage::Overstretched> findOverstretched(const Motion& motion) const;
+  void testBlock(const Motion& motion, std::size_t block, std::vector<Breakage::Overstretched>& found) const;
   double strainIn(const Motion& motion, BondIndex bond) const;
   double strainIn(const Motion& motion, BondIndex bond, NodeIndex start) const;
   /// The state in which bonds that have just been found break: of one-step methods, the present one.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/parallel.h"
 #include "sim/dynamics/stepper.h"
 
 namespace sim {
@@ -8,6 +9,7 @@ namespace {
 
 /// Below this share of the squared length at which it breaks, no rounding makes a bond break.
 constexpr double kSurelyWhole = 1.0 - 1e-5;
+constexpr std::size_t kBlocksPerTask = 512;
 
 }  // namespace
 
@@ -23,25 +25,31 @@ double Stepper::strainIn(const Motion& motion, BondIndex bond, NodeIndex a) cons
 
 /// The exact test, for the rows of suspect blocks only.
 std::vector<Breakage::Overstretched> Stepper::findOverstretched(const Motion& motion) const {
-  std::vector<Breakage::Overstretched> found;
-  for (const std::size_t block : fragments_.activity().activeBlocks()) {
-    if (!reports_[block].suspect) continue;
-    const std::size_t end = std::min(network_.nodeCount(), (block + 1) * kBlockNodes);
-    for (auto node = static_cast<NodeIndex>(block * kBlockNodes); node < end; ++node) {
-      // Nodes of rigid bodies are not where the bodies are until someone looks.
-      if (!fragments_.activity().nodeDeforms(node)) continue;
-      for (BondIndex bond = network_.firstBond[node]; bond < network_.firstBond[node + 1]; ++bond) {
-        if (breakage_.bondBroken(bond)) continue;
-        const double limit =
-            layout_.restLength(network_, bond) * (1.0 + static_cast<double>(network_.thresholds[bond]));
-        const Vec3 apart = motion.position.get(network_.bondEnds[bond]) - motion.position.get(node);
-        if (apart.squaredNorm() < kSurelyWhole * limit * limit) continue;
-        const auto strain = static_cast<float>(strainIn(motion, bond, node));
-        if (strain > network_.thresholds[bond]) found.push_back({bond, strain});
-      }
+  using Found = std::vector<Breakage::Overstretched>;
+  const std::span<const std::uint32_t> blocks = fragments_.activity().activeBlocks();
+  return collectInOrder<Breakage::Overstretched>(blocks.size(), kBlocksPerTask,
+                                                 [&](std::size_t b, Found& found) {
+                                                   if (reports_[blocks[b]].suspect)
+                                                     testBlock(motion, blocks[b], found);
+                                                 });
+}
+
+void Stepper::testBlock(const Motion& motion, std::size_t block,
+                        std::vector<Breakage::Overstretched>& found) const {
+  const std::size_t end = std::min(network_.nodeCount(), (block + 1) * kBlockNodes);
+  for (auto node = static_cast<NodeIndex>(block * kBlockNodes); node < end; ++node) {
+    // Nodes of rigid bodies are not where the bodies are until someone looks.
+    if (!fragments_.activity().nodeDeforms(node)) continue;
+    for (BondIndex bond = network_.firstBond[node]; bond < network_.firstBond[node + 1]; ++bond) {
+      if (breakage_.bondBroken(bond)) continue;
+      const double limit =
+          layout_.restLength(network_, bond) * (1.0 + static_cast<double>(network_.thresholds[bond]));
+      const Vec3 apart = motion.position.get(network_.bondEnds[bond]) - motion.position.get(node);
+      if (apart.squaredNorm() < kSurelyWhole * limit * limit) continue;
+      const auto strain = static_cast<float>(strainIn(motion, bond, node));
+      if (strain > network_.thresholds[bond]) found.push_back({bond, strain});
     }
   }
-  return found;
 }
 
 /// Takes a broken bond out of the lattice. Its tension energy is dropped, by rule 1 of docs/numerics.md; in
