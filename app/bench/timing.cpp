@@ -8,11 +8,6 @@
 namespace app {
 namespace {
 
-Seconds now() {
-  return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(),
-          static_cast<double>(std::clock()) / CLOCKS_PER_SEC};
-}
-
 double medianOf(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
@@ -20,14 +15,19 @@ double medianOf(std::vector<double> values) {
 
 }  // namespace
 
+Seconds secondsNow() {
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(),
+          static_cast<double>(std::clock()) / CLOCKS_PER_SEC};
+}
+
 Seconds medianSeconds(int repeats, const std::function<void()>& work) {
   work();
   std::vector<double> wall;
   std::vector<double> cpu;
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    const Seconds start = now();
+    const Seconds start = secondsNow();
     work();
-    const Seconds end = now();
+    const Seconds end = secondsNow();
     wall.push_back(end.wall - start.wall);
     cpu.push_back(end.cpu - start.cpu);
   }

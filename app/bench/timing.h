@@ -10,6 +10,8 @@ struct Seconds {
   double cpu = 0.0;
 };
 
+Seconds secondsNow();
+
 /// Median of the seconds that `repeats` calls of `work` take, after one that does not count.
 Seconds medianSeconds(int repeats, const std::function<void()>& work);
 
