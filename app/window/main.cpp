@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "ui/files/autosave.h"
+#include "ui/files/kept_takes.h"
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 
@@ -57,13 +58,13 @@ int run(QApplication& application) {
   if (!hasOpenGl()) return complainOfOpenGl();
   const bool light = QSettings().value("theme").toString() == "light";
   ui::Theme::instance().apply(light ? ui::ThemeKind::light : ui::ThemeKind::dark);
-  const std::filesystem::path root =
-      std::filesystem::path(
-          QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString()) /
-      "sessions";
+  const std::filesystem::path data =
+      QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString();
+  const std::filesystem::path root = data / "sessions";
   const std::filesystem::path folder = ui::Autosave::newFolder(root);
   ui::Session session(folder);
   ui::Autosave autosave(session, folder);
+  const ui::KeptTakes takes(session, data / "takes");
   ui::MainWindow window(session);
   window.show();
   const QStringList files = arguments.positionalArguments();

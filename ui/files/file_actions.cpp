@@ -80,9 +80,11 @@ void FileActions::showRecent(QMenu& menu) {
 
 bool FileActions::mayLeave() {
   const Document& document = session_.document();
-  if (!document.isModified()) return true;
-  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
-                       tr("Save the changes to “%1”?").arg(document.title()),
+  // Takes of a scene that has a file are kept with it.
+  const bool takes = document.file().empty() && session_.hasOwnTakes();
+  if (!document.isModified() && !takes) return true;
+  const QString words = takes ? tr("Save “%1” and its takes?") : tr("Save the changes to “%1”?");
+  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"), words.arg(document.title()),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   question.setInformativeText(tr("They are lost otherwise."));
   question.setDefaultButton(QMessageBox::Save);

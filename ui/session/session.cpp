@@ -85,8 +85,11 @@ void Session::takeView(const std::shared_ptr<const RunView>& view) {
   if (view->run == currentRun_) {
     if (view->footage && !takeListed_) {
       takeListed_ = true;
-      takes_.push_back(
-          {nextTakeName_, {}, view->footage, {}, false, nextContinuedAt_, QDateTime::currentDateTime()});
+      takes_.push_back({{nextTakeName_, {}, nextContinuedAt_, QDateTime::currentDateTime()},
+                        view->footage,
+                        {},
+                        false,
+                        true});
       currentTake_ = takes_.size() - 1;
       listing_ = true;  // the new take's start is not what the person asked to see
       playback_.setFootage(view->footage);
@@ -280,7 +283,8 @@ void Session::removeTake(std::size_t take) {
   if (take >= takes_.size()) return;
   const std::shared_ptr<Footage> footage = takes_[take].footage;
   if (hasRun() && run_->footage == footage) worker_.stop();
-  if (footage->file().parent_path() == takesFolder_) {
+  if (takes_[take].own) {
+    emit takeRemoved(footage->file());
     std::error_code error;
     std::filesystem::remove(footage->file(), error);
   }
@@ -295,20 +299,35 @@ void Session::removeTake(std::size_t take) {
   emit takesChanged();
 }
 
-sim::Status Session::openTake(const std::filesystem::path& file) {
+sim::Status Session::addTake(const std::filesystem::path& file, Take take) {
   sim::Result<std::shared_ptr<Footage>> footage = Footage::open(file);
   if (!footage) return footage.problem();
-  takes_.push_back({QString::fromStdString(file.stem().string()),
-                    {},
-                    *footage,
-                    {},
-                    false,
-                    std::nullopt,
-                    QFileInfo(QString::fromStdString(file.string())).lastModified()});
+  take.footage = *footage;
+  takes_.push_back(std::move(take));
   loader_.gatherNotes(*footage);
   judgeTakes();
+  return sim::Done{};
+}
+
+sim::Status Session::openTake(const std::filesystem::path& file) {
+  Take take;
+  take.name = QString::fromStdString(file.stem().string());
+  take.made = QFileInfo(QString::fromStdString(file.string())).lastModified();
+  take.own = file.parent_path() == takesFolder_;
+  if (const sim::Status added = addTake(file, std::move(take)); !added) return added;
   selectTake(takes_.size() - 1);
   return sim::Done{};
+}
+
+sim::Status Session::listTake(const std::filesystem::path& file, const TakeLabel& label,
+                              const QImage& thumbnail) {
+  if (const sim::Status added = addTake(file, {label, {}, thumbnail, false, true}); !added) return added;
+  emit takesChanged();
+  return sim::Done{};
+}
+
+bool Session::hasOwnTakes() const {
+  return std::any_of(takes_.begin(), takes_.end(), [](const Take& take) { return take.own; });
 }
 
 void Session::adoptTakes(const std::vector<std::filesystem::path>& files) {

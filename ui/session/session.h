@@ -19,15 +19,20 @@
 
 namespace ui {
 
-/// A take in the window's list.
-struct Take {
+/// What is known of a take beside its recording.
+struct TakeLabel {
   QString name;
   QString note;
-  std::shared_ptr<Footage> footage;
-  QImage thumbnail;
-  bool stale = false;                 ///< the scene has been changed since
   std::optional<double> continuedAt;  ///< s: where it left the take it was continued from
   QDateTime made;
+};
+
+/// A take in the window's list.
+struct Take : TakeLabel {
+  std::shared_ptr<Footage> footage;
+  QImage thumbnail;
+  bool stale = false;  ///< the scene has been changed since
+  bool own = false;    ///< recorded by the program, which keeps and deletes its file; else somebody's file
 };
 
 /// Everything behind the window: the document, what is built of it, the run, the takes and the moment shown.
@@ -61,10 +66,14 @@ class Session : public QObject {
   void renameTake(std::size_t take, const QString& name);
   void noteTake(std::size_t take, const QString& note);
   void setThumbnail(std::size_t take, const QImage& picture);
-  /// Takes it off the list; its file is deleted where it was recorded here.
+  /// Takes it off the list; its file is deleted where it is the program's own.
   void removeTake(std::size_t take);
+  /// Some take was recorded by the program itself.
+  bool hasOwnTakes() const;
   /// A Problem where the file is no take. Makes it the current one.
   sim::Status openTake(const std::filesystem::path& file);
+  /// Puts a take of the program's own into the list, and leaves the timeline as it is.
+  sim::Status listTake(const std::filesystem::path& file, const TakeLabel& label, const QImage& thumbnail);
   /// Takes over files of a run that was cut short; those that cannot be read are left out.
   void adoptTakes(const std::vector<std::filesystem::path>& files);
   /// Copies its file. Asks for a take that is finished.
@@ -105,6 +114,8 @@ class Session : public QObject {
   void previewChanged();
   void runChanged();
   void takesChanged();
+  /// One of the program's own; its file is being deleted.
+  void takeRemoved(const std::filesystem::path& file);
   void shownChanged();
   void problemFound(const sim::Problem& problem);
 
@@ -117,6 +128,7 @@ class Session : public QObject {
   void showLoaded();
   void show(Shown shown);
   void judgeTakes();
+  sim::Status addTake(const std::filesystem::path& file, Take take);
   std::filesystem::path newTakeFile();
   void begin(RunPlan plan, const QString& name);
   QString freshTakeName() const;
