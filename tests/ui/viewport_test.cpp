@@ -70,6 +70,27 @@ TEST_CASE("A click selects what is under it, with shift as well, and nothing bes
   CHECK(selection.items().empty());
 }
 
+TEST_CASE("A frame drawn around things selects those that are not locked, and with shift adds them") {
+  Stage stage;
+  ui::Selection& selection = stage.session.selection();
+  const auto drag = [&](const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers) {
+    QTest::mousePress(&stage.viewport, Qt::LeftButton, modifiers, from);
+    QTest::mouseMove(&stage.viewport, (from + to) / 2);
+    QTest::mouseMove(&stage.viewport, to);
+    QTest::mouseRelease(&stage.viewport, Qt::LeftButton, modifiers, to);
+  };
+  const QRect all = stage.viewport.rect().adjusted(2, 2, -2, -2);
+  drag(all.topLeft(), all.bottomRight() - QPoint(0, 0), Qt::NoModifier);
+  CHECK(selection.contains({ui::ItemKind::part, 0}));
+  CHECK(selection.contains({ui::ItemKind::collider, 1}));
+  CHECK_FALSE(selection.contains({ui::ItemKind::collider, 0}));  // the floor
+  const QPoint ball = stage.at({-6.0, 0.0, 1.5});
+  drag(ball - QPoint(40, 40), ball + QPoint(4, 4), Qt::NoModifier);
+  CHECK(selection.items() == std::vector<ui::Item>{{ui::ItemKind::collider, 1}});
+  drag(all.topLeft(), all.bottomRight(), Qt::ShiftModifier);
+  CHECK(selection.items().size() == 2);
+}
+
 TEST_CASE("The pointer is told what it is over") {
   Stage stage;
   CHECK(stage.viewport.describe(stage.viewport.pickAt(stage.at({0.0, -2.0, 1.5}))).contains("block"));

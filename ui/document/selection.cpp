@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/document/track_titles.h"
+
 namespace ui {
 
 std::size_t countOf(const modeling::Scene& scene, ItemKind kind) {
@@ -38,7 +40,7 @@ QString nameOf(const modeling::Scene& scene, const Item& item) {
     case ItemKind::material:
       return QString::fromStdString(scene.materials[item.index].name);
     case ItemKind::track:
-      return QString::fromStdString(scene.tracks[item.index].target.text());
+      return titleOf(scene.tracks[item.index].target);
   }
   return {};
 }

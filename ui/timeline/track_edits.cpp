@@ -26,25 +26,6 @@ TrackValue neutralValue(const modeling::Scene& scene, const TargetName& target) 
 
 }  // namespace
 
-QString titleOf(const TargetName& target) {
-  const QString object = QString::fromStdString(target.object);
-  switch (target.target) {
-    case TrackTarget::gravityScale:
-      return tr("Gravity scale");
-    case TrackTarget::gravity:
-      return tr("Gravity");
-    case TrackTarget::stiffnessScale:
-      return object.isEmpty() ? tr("Stiffness") : tr("Stiffness of %1").arg(object);
-    case TrackTarget::dampingScale:
-      return object.isEmpty() ? tr("Damping") : tr("Damping of %1").arg(object);
-    case TrackTarget::colliderPosition:
-      return tr("Position of %1").arg(object);
-    case TrackTarget::colliderRotation:
-      return tr("Rotation of %1").arg(object);
-  }
-  return {};
-}
-
 QString unitOf(const TargetName& target) {
   switch (target.target) {
     case TrackTarget::gravity:

@@ -3,14 +3,13 @@
 #include <QString>
 
 #include "modeling/scene/scene.h"
+#include "ui/document/track_titles.h"
 
 /// What the timeline does to the tracks of a scene.
 namespace ui {
 
 using TrackValue = std::variant<double, sim::Vec3>;
 
-/// As people call it: "Gravity", "Stiffness of glass", "Position of ball".
-QString titleOf(const modeling::TargetName& target);
 /// "g", "cm", "degrees"... empty for a factor.
 QString unitOf(const modeling::TargetName& target);
 /// All that tracks of this scene can drive.

@@ -256,6 +256,7 @@ void Viewport::paintGL() {
   renderer_->show(drawn_);
   renderer_->paint(pictureFrame());
   paintOver();
+  noteHint();
 }
 
 DrawStatistics Viewport::statistics() const {

@@ -69,6 +69,8 @@ class Viewport : public QOpenGLWidget {
 
  signals:
   void toolChanged();
+  /// What the tool asks to do next is another thing than before.
+  void hintChanged(const QString& hint);
   void viewSettingsChanged();
   /// What the pointer is over changed.
   void hovered(const Pick& pick);
@@ -102,6 +104,12 @@ class Viewport : public QOpenGLWidget {
   ViewCamera framed(const Eigen::AlignedBox3d& box) const;
   void moved();
   void select(const Pick& pick, Qt::KeyboardModifiers modifiers);
+  void noteHint();
+  /// Of the frame that is being drawn around things to select; empty where none is.
+  QRectF band() const;
+  void selectInBand(Qt::KeyboardModifiers modifiers);
+  std::vector<Item> itemsIn(const QRectF& frame) const;
+  void paintBand(QPainter& painter) const;
   void showHover();
   bool showToolTip(const QPoint& at);
   void paintOver();
@@ -125,9 +133,11 @@ class Viewport : public QOpenGLWidget {
   bool frameWhenShown_ = true;
   std::optional<QPointF> pointer_;     ///< while it is over the viewport
   std::optional<QPointF> pressed_;     ///< of the left button, while it may become a click
+  std::optional<QPointF> bandFrom_;    ///< of the left button, where a frame around things begins
   std::optional<QPointF> gizmoPress_;  ///< of the left button, on the axes
   QPointF gizmoLast_;
   Pick hover_;
+  QString hint_;  ///< that was told last
   QTimer preparing_;
   QTimer hovering_;
   DrawPreparer preparer_;

@@ -88,7 +88,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     update();
     return;
   }
-  if (pressed_ && !isNear(*pressed_, event->position())) pressed_.reset();
+  if (pressed_ && !isNear(*pressed_, event->position())) bandFrom_ = std::exchange(pressed_, std::nullopt);
+  if (bandFrom_) update();
   if (event->buttons() != Qt::NoButton) return;
   if (tool_) tool_->hover(*this, pointer);
   hovering_.start();
@@ -119,6 +120,11 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     }
     return;
   }
+  if (event->button() == Qt::LeftButton && bandFrom_) {
+    pointer_ = event->position();
+    selectInBand(event->modifiers());
+    return;
+  }
   if (event->button() == Qt::LeftButton && pressed_) {
     pressed_.reset();
     const Pick pick = pickAt(event->position());
@@ -147,6 +153,11 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
+  if (key == Qt::Key_Escape && bandFrom_) {
+    bandFrom_.reset();
+    update();
+    return;
+  }
   if (tool_ && tool_->key(*this, key, event->modifiers())) {
     update();
     return;
@@ -161,19 +172,6 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QOpenGLWidget::keyPressEvent(event);
-}
-
-void Viewport::select(const Pick& pick, Qt::KeyboardModifiers modifiers) {
-  Selection& selection = session_.selection();
-  if (pick.item && isLocked(session_.document().scene(), *pick.item)) return;
-  const bool adds = modifiers.testFlag(Qt::ShiftModifier) || modifiers.testFlag(Qt::ControlModifier);
-  if (pick.item && adds) {
-    selection.toggle(*pick.item);
-  } else if (pick.item) {
-    selection.select(*pick.item);
-  } else if (!adds) {
-    selection.clear();
-  }
 }
 
 void Viewport::showHover() {

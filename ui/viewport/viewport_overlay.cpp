@@ -112,6 +112,7 @@ void Viewport::paintOver() {
   axisGizmo_.paint(painter, camera_, viewSize(), pointer_);
   paintLegend(painter);
   paintStatistics(painter);
+  paintBand(painter);
 }
 
 }  // namespace ui

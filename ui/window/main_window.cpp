@@ -6,28 +6,20 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QProgressBar>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTimer>
 #include <algorithm>
 
+#include "ui/document/place_words.h"
 #include "ui/files/autosave.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/gallery.h"
 #include "ui/window/problem_bar.h"
+#include "ui/window/view_memory.h"
 
 namespace ui {
-namespace {
-
-QString timeLeft(double seconds) {
-  if (seconds < 60.0) return MainWindow::tr("%1 s left").arg(std::ceil(seconds));
-  return MainWindow::tr("%1 min left").arg(std::ceil(seconds / 60.0));
-}
-
-}  // namespace
-
 MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
   setObjectName("main");
   resize(1280, 800);
@@ -45,6 +37,9 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   connect(&session_, &Session::runChanged, this, &MainWindow::showRun);
   connect(&session_, &Session::previewChanged, this, &MainWindow::showPreviewProblem);
   connect(&session_, &Session::problemFound, this, &MainWindow::showProblem);
+  viewport_->setViewSettings(recallView());
+  connect(viewport_, &Viewport::viewSettingsChanged, this,
+          [this] { rememberView(viewport_->viewSettings()); });
   showTitle();
   firstLayout_ = saveState(kLayoutVersion);
   recallLayout();
@@ -98,28 +93,18 @@ void MainWindow::showTitle() {
   setWindowModified(session_.document().isModified());
 }
 
+/// How far a run is, is said beside the timeline.
 void MainWindow::showRun() {
   const std::shared_ptr<const RunView>& run = session_.run();
-  const bool active = session_.hasRun();
-  progress_->setVisible(active);
-  if (run->newest && run->until > 0.0)
-    progress_->setValue(static_cast<int>(1000.0 * run->newest->time / run->until));
-  progress_->setMaximum(run->phase == RunPhase::preparing ? 0 : 1000);
-  QString words;
-  if (run->phase == RunPhase::preparing) words = tr("Preparing");
-  if (run->phase == RunPhase::running)
-    words = tr("Simulating") + (run->secondsLeft > 1.0 ? ", " + timeLeft(run->secondsLeft) : QString());
-  if (run->phase == RunPhase::paused) words = tr("Paused");
-  if (!active) words = session_.isBuilding() ? tr("Building") : QString();
-  state_->setText(words);
-  if (active && run->phase == RunPhase::paused && run->problem) showProblem(*run->problem);
+  state_->setText(session_.isBuilding() && !session_.hasRun() ? tr("Building") : QString());
+  if (session_.hasRun() && run->phase == RunPhase::paused && run->problem) showProblem(*run->problem);
 }
 
 void MainWindow::showPreviewProblem() {
   showRun();
   const std::optional<sim::Problem>& problem = session_.preview()->problem;
   if (problem) {
-    problems_->show(*problem);
+    problems_->show(*problem, placeInWords(session_.preview()->scene, problem->place));
   } else if (previewProblem_) {
     problems_->putAway();
   }
@@ -128,7 +113,7 @@ void MainWindow::showPreviewProblem() {
 
 void MainWindow::showProblem(const sim::Problem& problem) {
   previewProblem_ = false;
-  problems_->show(problem);
+  problems_->show(problem, placeInWords(session_.document().scene(), problem.place));
   if (pages_->currentWidget() == gallery_ && !problems_->isVisible())
     QMessageBox::warning(this, tr("Smithereens"), QString::fromStdString(problem.line()));
 }

@@ -10,7 +10,6 @@
 class QDockWidget;
 class QLabel;
 class QMenu;
-class QProgressBar;
 class QStackedWidget;
 class QToolBar;
 
@@ -95,7 +94,6 @@ class MainWindow : public QMainWindow {
   EditorActions* editorActions_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* state_ = nullptr;
-  QProgressBar* progress_ = nullptr;
   bool previewProblem_ = false;  ///< the bar shows one of the preview
   QByteArray firstLayout_;       ///< as it comes out of the box
 };

@@ -2,7 +2,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
-#include <QProgressBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -137,19 +136,10 @@ void MainWindow::makeToolBar() {
 void MainWindow::makeStatusBar() {
   hint_ = new QLabel(this);
   state_ = new QLabel(this);
-  progress_ = new QProgressBar(this);
-  progress_->setFixedWidth(160);
-  progress_->setTextVisible(false);
-  progress_->hide();
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(state_);
-  statusBar()->addPermanentWidget(progress_);
-  const auto showHint = [this] {
-    const Tool* tool = viewport_->tool();
-    hint_->setText(tool != nullptr ? tool->hint() : QString());
-  };
-  connect(viewport_, &Viewport::toolChanged, this, showHint);
+  connect(viewport_, &Viewport::hintChanged, hint_, &QLabel::setText);
 }
 
 }  // namespace ui

@@ -48,9 +48,9 @@ void ProblemBar::dress() {
                     .arg(colours.panel.name(), colours.bad.name()));
 }
 
-void ProblemBar::show(const sim::Problem& problem) {
+void ProblemBar::show(const sim::Problem& problem, const QString& place) {
   QStringList parts;
-  if (!problem.place.empty()) parts.append(QString::fromStdString(problem.place) + ':');
+  if (!place.isEmpty()) parts.append(place + ':');
   parts.append(sentence(problem.what));
   if (!problem.remedy.empty()) parts.append(sentence(problem.remedy));
   text_ = parts.join(' ');

@@ -14,8 +14,8 @@ class ProblemBar : public QFrame {
 
  public:
   explicit ProblemBar(QWidget* parent = nullptr);
-  /// Of the same kind as one that is shown: replaces it.
-  void show(const sim::Problem& problem);
+  /// In place of one that is shown; `place` is the problem's, in words.
+  void show(const sim::Problem& problem, const QString& place);
   void putAway() { hide(); }
   const QString& text() const { return text_; }
 
