@@ -228,4 +228,22 @@ TEST_CASE("frames are numbered with four digits or more before the ending") {
   CHECK(modeling::numberedPath("x.obj", 123456) == "x.123456.obj");
 }
 
+TEST_CASE("takes of the first layout give what they gave to the program that wrote them") {
+  const std::string takes = SMITHEREENS_SOURCE_DIR "/tests/data/takes/";
+  const auto take = sim::TakeReader::open(takes + "version-1.take");
+  REQUIRE(take);
+  REQUIRE((*take)->frameCount() == 9);
+  CHECK((*take)->outcome() == "done");
+  CHECK((*take)->checkpointFrames().size() == 2);
+  const Scratch scratch;
+  REQUIRE(modeling::writeXyz(**take, {scratch.folder / "last.xyz", 8, 8, {}}).ok());
+  const auto text = [](const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const std::string then = text(takes + "version-1.xyz");
+  REQUIRE(then.size() > 1000);
+  CHECK(text(scratch.folder / "last.xyz") == then);
+}
+
 }  // namespace
