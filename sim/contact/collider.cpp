@@ -30,6 +30,17 @@ Intrusion inCylinder(double radius, double halfHeight, const Vec3& local) {
   return {side, Vec3::UnitX()};
 }
 
+/// By distance, so that edges and corners are round where a sheet's thickness goes round them: nothing leaks
+/// in between two triangles. Straight through is what is nearest, whichever side of a sheet it came from.
+Intrusion inMesh(const TriangleMesh& mesh, double halfThickness, const Vec3& local) {
+  const TriangleMesh::Nearest there = mesh.nearest(local);
+  const Vec3 away = local - there.point;
+  const bool inside = mesh.closed() && away.dot(there.normal) < 0.0;
+  const double distance = inside ? -there.distance : there.distance;
+  const Vec3 normal = there.distance > 0.0 ? Vec3(away / distance) : there.normal;
+  return {halfThickness - distance, normal};
+}
+
 }  // namespace
 
 Intrusion intrusion(const Collider& collider, const Vec3& point) {
@@ -47,6 +58,9 @@ Intrusion intrusion(const Collider& collider, const Vec3& point) {
       break;
     case ColliderShape::cylinder:
       inside = inCylinder(collider.radius, collider.halfHeight, local);
+      break;
+    case ColliderShape::mesh:
+      inside = inMesh(*collider.mesh, collider.halfThickness, local);
       break;
   }
   inside.normal = collider.rotation * inside.normal;

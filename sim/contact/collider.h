@@ -1,16 +1,18 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <Eigen/Geometry>
 
 #include "sim/base/types.h"
+#include "sim/contact/triangle_mesh.h"
 
 namespace sim {
 
-enum class ColliderShape { floor, box, sphere, cylinder };
+enum class ColliderShape { floor, box, sphere, cylinder, mesh };
 
 /// An immovable object (paper, "External forces"): pushes with k X + d V, never pulls, only while a node is
 /// inside. It may be moved by tracks; nothing the network does moves it.
@@ -23,6 +25,9 @@ struct Collider {
   Vec3 halfSize = Vec3::Ones();        ///< box: half edges, cm
   double radius = 1.0;                 ///< sphere, cylinder, cm
   double halfHeight = 1.0;             ///< cylinder along its z, cm
+  /// In the collider's own coordinates. A closed one is solid; an open one is a sheet with two sides.
+  std::shared_ptr<const TriangleMesh> mesh;
+  double halfThickness = 0.0;  ///< mesh: its surface is so far out on either side, cm; > 0 for a sheet
   /// k, dyn/cm a node. Absent: the node's own contact stiffness, which never makes a break gain energy (P16).
   std::optional<double> stiffness;
   double dampingRatio = 0.3;  ///< d relative to critical, 2 sqrt(k m), of the intruding node
@@ -35,7 +40,7 @@ struct Collider {
 };
 
 /// How deep a point is inside, and the way out. depth <= 0: outside, by at least -depth... the exact distance
-/// for floor and sphere, a lower bound for box and cylinder.
+/// for floor, sphere and mesh, a lower bound for box and cylinder.
 struct Intrusion {
   double depth = 0.0;           ///< cm
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the collider

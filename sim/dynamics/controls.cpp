@@ -19,14 +19,24 @@ double reachOf(const Collider& collider) {
       return collider.radius;
     case ColliderShape::cylinder:
       return std::hypot(collider.radius, collider.halfHeight);
+    case ColliderShape::mesh: {
+      const Eigen::AlignedBox3d box = collider.mesh->box();
+      return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm() + collider.halfThickness;
+    }
   }
   return 0.0;
+}
+
+bool sameMesh(const Collider& left, const Collider& right) {
+  if (left.mesh == right.mesh) return true;
+  return left.mesh && right.mesh && *left.mesh == *right.mesh;
 }
 
 /// Whether they push alike where they are.
 bool sameKind(const Collider& left, const Collider& right) {
   return left.halfSize == right.halfSize && left.radius == right.radius &&
          left.halfHeight == right.halfHeight && left.stiffness == right.stiffness &&
+         left.halfThickness == right.halfThickness && sameMesh(left, right) &&
          left.dampingRatio == right.dampingRatio && left.friction == right.friction;
 }
 

@@ -130,10 +130,10 @@ TEST_CASE("a hundred thousand nodes go to four ranks and come back as we have th
   if (!haveLammps()) return;
   const BothRuns runs({.size = "[12, 12, 4.4]",
                        .cellSize = 0.2,
-                       .more = R"(, "lossFactor": 0.2, "threshold": {"mean": 0.1, "spread": 0.2})",
+                       .more = R"(, "lossFactor": 0.2, "threshold": {"mean": 0.3, "spread": 0.2})",
                        .step = 5e-6,
                        .duration = 0.002,
-                       .height = 2.6},
+                       .height = 3.2},
                       kFourRanks);
   REQUIRE(runs.ours->network().nodeCount() > 80000);
   CHECK(runs.ours->events()->empty());

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
+#include "tests/support/meshes.h"
 #include "tests/support/spring_network.h"
 
 namespace {
@@ -29,6 +30,7 @@ Collider turned(ColliderShape shape) {
   collider.halfSize = Vec3(1.0, 2.0, 1.5);
   collider.radius = 1.7;
   collider.halfHeight = 1.2;
+  collider.mesh = std::make_shared<const sim::TriangleMesh>(tests::boxMesh(collider.halfSize));
   return collider;
 }
 
@@ -40,6 +42,7 @@ bool holds(const Collider& collider, const Vec3& point) {
     case ColliderShape::floor:
       return local.z() < 0.0;
     case ColliderShape::box:
+    case ColliderShape::mesh:
       return (local.cwiseAbs().array() < collider.halfSize.array()).all();
     case ColliderShape::sphere:
       return local.norm() < collider.radius;
@@ -49,8 +52,10 @@ bool holds(const Collider& collider, const Vec3& point) {
   return false;
 }
 
-constexpr std::array<ColliderShape, 4> kShapes = {ColliderShape::floor, ColliderShape::box,
-                                                  ColliderShape::sphere, ColliderShape::cylinder};
+/// The mesh is the box's.
+constexpr std::array<ColliderShape, 5> kShapes = {ColliderShape::floor, ColliderShape::box,
+                                                  ColliderShape::sphere, ColliderShape::cylinder,
+                                                  ColliderShape::mesh};
 
 TEST_CASE("an intrusion leads out of the collider by the nearest way") {
   for (const ColliderShape shape : kShapes) {
@@ -135,6 +140,7 @@ TEST_CASE("a collider never pulls, however strong its damping") {
     const Vec3 axis = collider.rotation * Vec3::UnitZ();
     const double top = shape == ColliderShape::floor    ? 0.0
                        : shape == ColliderShape::box    ? collider.halfSize.z()
+                       : shape == ColliderShape::mesh   ? collider.halfSize.z()
                        : shape == ColliderShape::sphere ? collider.radius
                                                         : collider.halfHeight;
     const auto flight = tests::simulation(stone(collider.position + (top - 0.1) * axis, 50.0 * axis),

@@ -53,6 +53,21 @@ class ColliderDrawer {
     }
   }
 
+  /// Flat, each triangle as a quadrilateral whose last two corners are one.
+  void drawTriangles() {
+    const sim::TriangleMesh& triangles = *collider_.mesh;
+    for (const auto& triangle : triangles.triangles()) {
+      const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+      const sim::Vec3& a = triangles.points()[triangle[0]];
+      const sim::Vec3& b = triangles.points()[triangle[1]];
+      const sim::Vec3& c = triangles.points()[triangle[2]];
+      const sim::Vec3 normal = (b - a).cross(c - a).stableNormalized();
+      for (const sim::Vec3& corner : {a, b, c}) addVertex(corner, normal);
+      mesh_.quads.push_back({first, first + 1, first + 2, first + 2});
+      mesh_.lookOfQuad.push_back(look_);
+    }
+  }
+
  private:
   void addVertex(const sim::Vec3& point, const sim::Vec3& normal) {
     const sim::Vec3 world = collider_.position + collider_.rotation * point;
@@ -115,6 +130,8 @@ void drawCollider(const sim::Collider& collider, const sim::Vec3& middle, DrawnM
       return drawer.drawSphere();
     case sim::ColliderShape::cylinder:
       return drawer.drawCylinder();
+    case sim::ColliderShape::mesh:
+      return drawer.drawTriangles();
     case sim::ColliderShape::floor:
       assert(false);
   }

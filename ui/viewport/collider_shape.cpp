@@ -46,6 +46,18 @@ void addCylinder(double radius, double half, Segments& segments) {
         {sim::Vec3(at - half * sim::Vec3::UnitZ()), sim::Vec3(at + half * sim::Vec3::UnitZ())});
 }
 
+/// Each edge once, as far as it is drawn upwards by one of its triangles; those of a sheet's rim that are not
+/// are left out, which an outline does not miss.
+void addEdges(const sim::TriangleMesh& mesh, Segments& segments) {
+  for (const auto& triangle : mesh.triangles()) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t from = triangle[c];
+      const std::uint32_t to = triangle[(c + 1) % 3];
+      if (from < to) segments.push_back({mesh.points()[from], mesh.points()[to]});
+    }
+  }
+}
+
 }  // namespace
 
 LevelDraw colliderMesh(const sim::Collider& collider) {
@@ -87,6 +99,9 @@ std::vector<std::array<sim::Vec3, 2>> colliderOutline(const sim::Collider& colli
     case sim::ColliderShape::cylinder:
       addCylinder(r, collider.halfHeight, segments);
       break;
+    case sim::ColliderShape::mesh:
+      addEdges(*collider.mesh, segments);
+      break;
   }
   for (auto& segment : segments) {
     for (sim::Vec3& point : segment) point = collider.position + collider.rotation * point;
@@ -105,7 +120,7 @@ Eigen::AlignedBox3d boxOf(const sim::Collider& collider) {
 
 bool sameShape(const sim::Collider& left, const sim::Collider& right) {
   return left.shape == right.shape && left.halfSize == right.halfSize && left.radius == right.radius &&
-         left.halfHeight == right.halfHeight;
+         left.halfHeight == right.halfHeight && left.mesh == right.mesh;
 }
 
 }  // namespace ui
