@@ -43,7 +43,7 @@ ExitStatus import(const ImportOptions& options) {
     progress.show(std::min(1.0, static_cast<double>(frames) / expected));
     return true;
   };
-  const auto frames = modeling::importLammps({options.dump, bondsOf(options), show}, file->scene,
+  const auto frames = modeling::importLammps({options.dump, bondsOf(options), show}, built->scene,
                                              built->network, options.take);
   if (!frames) return complain(frames.problem());
   std::cout << "frames        " << *frames << '\n';

@@ -51,7 +51,7 @@ ExitStatus simulate(const SimulateOptions& options) {
   // Last, because it replaces what was recorded before: by now the run is sure to begin.
   std::unique_ptr<sim::TakeWriter> take;
   if (!options.take.empty()) {
-    auto created = sim::TakeWriter::create(options.take, headerOf(scene), (*simulation)->network());
+    auto created = sim::TakeWriter::create(options.take, headerOf(built->scene), (*simulation)->network());
     if (!created) return complain(created.problem());
     take = std::move(created).value();
     take->leaveOutUnmoved(scene.solver.skip.recording);

@@ -6,6 +6,7 @@
 
 #include "modeling/assembly/assembly.h"
 #include "modeling/scene/build_parts.h"
+#include "modeling/scene/read_obstacles.h"
 #include "modeling/scene/spelling.h"
 
 namespace modeling {
@@ -79,6 +80,14 @@ struct ColliderFormInto {
     collider.radius = cylinder.radius;
     collider.halfHeight = cylinder.halfHeight;
   }
+  void operator()(const MeshObstacle& obstacle) const {
+    static const auto kNothing =
+        std::make_shared<const sim::TriangleMesh>(std::vector<Vec3>{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()},
+                                                  std::vector<sim::TriangleMesh::Triangle>{{0, 1, 2}});
+    collider.shape = sim::ColliderShape::mesh;
+    collider.mesh = obstacle.surface.mesh ? obstacle.surface.mesh : kNothing;
+    collider.halfThickness = collider.mesh->closed() ? 0.0 : 0.5 * obstacle.thickness;
+  }
 };
 
 sim::Track trackOf(const SceneTrack& written) {
@@ -148,6 +157,8 @@ sim::Collider colliderOf(const SceneCollider& written) {
     collider.activeFrom = (*written.active)[0];
     collider.activeUntil = (*written.active)[1];
   }
+  const auto* obstacle = std::get_if<MeshObstacle>(&written.form);
+  if (obstacle != nullptr && !obstacle->surface.mesh) collider.activeUntil = collider.activeFrom;
   return collider;
 }
 
@@ -164,8 +175,14 @@ Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& ma
   return conditions;
 }
 
-sim::Result<BuiltScene> build(const Scene& scene, const std::filesystem::path& folder) {
-  if (const sim::Status status = checkScene(scene); !status) return status.problem();
+sim::Result<BuiltScene> build(const Scene& given, const std::filesystem::path& folder) {
+  if (const sim::Status status = checkScene(given); !status) return status.problem();
+  BuiltScene built;
+  built.scene = given;
+  std::vector<std::string> remarks;
+  if (const sim::Status status = readObstacles(built.scene, folder, remarks); !status)
+    return status.problem();
+  const Scene& scene = built.scene;
   sim::Result<BuiltParts> parts = buildParts(scene, folder);
   if (!parts) return parts.problem();
   const sim::Result<GlueResult> glued = glue(glueParts(parts->parts), glueSettings(scene, parts->parts));
@@ -175,12 +192,13 @@ sim::Result<BuiltScene> build(const Scene& scene, const std::filesystem::path& f
   sim::Result<sim::Network> network = sim::buildNetwork(std::move(blueprint).value(), scene.solver.seed);
   if (!network) return network.problem();
 
-  BuiltScene built;
   built.network = std::move(network).value();
   built.conditions = conditionsOf(scene, built.network.materials);
   built.parts = reportsOf(parts->parts);
   built.glue = glued->reports;
-  built.warnings = warningsOf(built);
+  built.warnings = std::move(remarks);
+  built.warnings.insert(built.warnings.end(), parts->remarks.begin(), parts->remarks.end());
+  for (std::string& warning : warningsOf(built)) built.warnings.push_back(std::move(warning));
   return built;
 }
 

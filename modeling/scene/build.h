@@ -26,7 +26,7 @@ struct Conditions {
 /// several tracks.
 Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& materials);
 
-/// Where it stands without tracks.
+/// Where it stands without tracks. An obstacle whose surface was not read is there, but never active.
 sim::Collider colliderOf(const SceneCollider& written);
 
 struct PartReport {
@@ -36,6 +36,7 @@ struct PartReport {
 };
 
 struct BuiltScene {
+  Scene scene;  ///< with what files of obstacles hold: what a take is headed by
   sim::Network network;
   Conditions conditions;
   std::vector<PartReport> parts;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "modeling/exchange/lammps_data.h"
+#include "modeling/exchange/mesh_file.h"
 #include "modeling/scene/spelling.h"
 #include "modeling/shapes/quality.h"
 #include "modeling/shapes/resolution.h"
@@ -64,6 +66,20 @@ void spin(const Vec3& angularVelocity, AssemblyPart& part) {
   }
 }
 
+/// Below this share of a mesh's volume, walls must have been lost.
+constexpr double kMostOfIt = 0.95;
+
+std::string remarkOn(const std::string& part, const MeshShape& shape, const MeshFit& fit) {
+  std::ostringstream words;
+  words.precision(3);
+  words << "the cells of " << inQuotes(part) << " have " << 100.0 * fit.volumeShare
+        << " per cent of the mesh's volume and end within " << fit.farthest << " cm of its surface";
+  if (fit.volumeShare < kMostOfIt)
+    words << "; what is thinner than a cell is lost: cells of " << 0.5 * shape.cellSize
+          << " cm would hold more";
+  return words.str();
+}
+
 class PartBuilder {
  public:
   PartBuilder(const Scene& scene, const std::filesystem::path& folder) : scene_(scene), folder_(folder) {
@@ -108,6 +124,20 @@ class PartBuilder {
   sim::Status shapeInto(const Shape& shape, std::size_t index, AssemblyPart& made) {
     sim::Result<Lattice> lattice = build(shape);
     if (!lattice) return within(index, lattice.problem());
+    made.lattice = std::move(lattice).value();
+    made.material = materialIndex(scene_.parts[index].material);
+    place(index, made);
+    return sim::Done{};
+  }
+
+  sim::Status shapeInto(const MeshShape& shape, std::size_t index, AssemblyPart& made) {
+    const auto file = loadMesh(folder_, shape.source());
+    if (!file) return file.problem();
+    MeshFit fit;
+    sim::Result<Lattice> lattice = fillMesh(file->mesh, shape.cellSize, fit);
+    if (!lattice) return within(index, lattice.problem());
+    built_.remarks.push_back(file->remark);
+    built_.remarks.push_back(remarkOn(made.name, shape, fit));
     made.lattice = std::move(lattice).value();
     made.material = materialIndex(scene_.parts[index].material);
     place(index, made);

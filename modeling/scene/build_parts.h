@@ -16,6 +16,7 @@ namespace modeling {
 struct BuiltParts {
   std::vector<AssemblyPart> parts;
   std::vector<Material> materials;
+  std::vector<std::string> remarks;  ///< how meshes were taken and filled
 };
 
 sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "modeling/material/material.h"
 #include "modeling/shapes/bezier_patch.h"
 #include "modeling/shapes/curved_cylinder.h"
+#include "modeling/shapes/mesh_shape.h"
 #include "modeling/shapes/revolution.h"
 #include "modeling/shapes/slab.h"
 #include "sim/control/track.h"
@@ -83,7 +85,7 @@ struct NetworkShape {
 };
 
 using PartShape =
-    std::variant<SlabShape, BezierPatchShape, RevolutionShape, CurvedCylinderShape, NetworkShape>;
+    std::variant<SlabShape, BezierPatchShape, RevolutionShape, CurvedCylinderShape, NetworkShape, MeshShape>;
 
 struct Part {
   std::string name;
@@ -134,7 +136,33 @@ struct CylinderShape {
   double halfHeight = 1.0;  ///< cm, along its z
   bool operator==(const CylinderShape&) const = default;
 };
-using ColliderForm = std::variant<FloorShape, BoxShape, SphereShape, CylinderShape>;
+
+/// The triangles of an obstacle, shared by all copies of the scene; null: not read yet.
+struct ObstacleSurface {
+  std::shared_ptr<const sim::TriangleMesh> mesh;
+
+  bool operator==(const ObstacleSurface& other) const {
+    return mesh == other.mesh || (mesh && other.mesh && *mesh == *other.mesh);
+  }
+};
+
+/// A mesh that things collide with. One of `file` and `surface` is given; build() reads the file where there
+/// is no surface, and what a take is headed by has the surface, so that it can be resumed anywhere.
+struct MeshObstacle {
+  std::string file;  ///< see MeshSource
+  MeshUnit unit = MeshUnit::guess;
+  MeshUp up = MeshUp::guess;
+  double thickness = 0.4;   ///< of a sheet, which an open mesh is, cm; a closed one is solid
+  ObstacleSurface surface;  ///< in the collider's coordinates, cm
+
+  MeshSource source() const { return {file, unit, up}; }
+  /// A surface that was not read yet is that of the same file.
+  bool operator==(const MeshObstacle& other) const {
+    const bool unread = !file.empty() && (!surface.mesh || !other.surface.mesh);
+    return source() == other.source() && thickness == other.thickness && (unread || surface == other.surface);
+  }
+};
+using ColliderForm = std::variant<FloorShape, BoxShape, SphereShape, CylinderShape, MeshObstacle>;
 
 /// See sim::Collider.
 struct SceneCollider {

@@ -12,6 +12,14 @@ struct Codec<Part> : TaggedCodec<Part, PartShape, &Part::shape> {};
 template <>
 struct Codec<SceneCollider> : TaggedCodec<SceneCollider, ColliderForm, &SceneCollider::form> {};
 
+/// {"points": [[x, y, z], ...], "triangles": [[a, b, c], ...]}, or null.
+template <>
+struct Codec<ObstacleSurface> {
+  static bool read(JsonReader& reader, const JsonValue& value, ObstacleSurface& out, const Rule& rule);
+  static Json write(const ObstacleSurface& value, const ObstacleSurface& base, const Rule& rule);
+  static Json schema(const Rule& rule);
+};
+
 /// Three angles or four numbers of a quaternion.
 template <>
 struct Codec<Rotation> {

@@ -99,6 +99,19 @@ struct Fields<NetworkShape> {
 };
 
 template <>
+struct Fields<MeshShape> {
+  static constexpr auto list() {
+    using T = MeshShape;
+    return std::tuple{
+        field("file", &T::file, "Path, relative to the scene's folder: OBJ, PLY, STL, glTF, FBX or Collada.")
+            .required(),
+        field("unit", &T::unit, "What a length of 1 in the file is; guess: by the format, or by its size."),
+        field("up", &T::up, "Which axis of the file points up; guess: by the format."),
+        field("cellSize", &T::cellSize, "Edge of a cell, cm.").above(0)};
+  }
+};
+
+template <>
 struct Fields<Placement> {
   static constexpr auto list() {
     using T = Placement;
@@ -217,6 +230,19 @@ struct Fields<CylinderShape> {
     using T = CylinderShape;
     return std::tuple{field("radius", &T::radius, "cm.").required().above(0),
                       field("halfHeight", &T::halfHeight, "Along its z, cm.").required().above(0)};
+  }
+};
+
+template <>
+struct Fields<MeshObstacle> {
+  static constexpr auto list() {
+    using T = MeshObstacle;
+    return std::tuple{
+        field("file", &T::file, "Path, relative to the scene's folder: OBJ, PLY, STL, glTF, FBX or Collada."),
+        field("unit", &T::unit, "What a length of 1 in the file is; guess: by the format, or by its size."),
+        field("up", &T::up, "Which axis of the file points up; guess: by the format."),
+        field("thickness", &T::thickness, "Of a sheet, which an open mesh is, cm.").above(0),
+        field("surface", &T::surface, "The triangles themselves, cm, in place of the file's.")};
   }
 };
 

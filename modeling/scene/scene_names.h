@@ -64,6 +64,21 @@ struct EnumNames<NetworkFormat> : NameTable<EnumNames<NetworkFormat>, NetworkFor
 };
 
 template <>
+struct EnumNames<MeshUnit> : NameTable<EnumNames<MeshUnit>, MeshUnit> {
+  static constexpr std::array<NameRow<MeshUnit>, 5> kTable{{{"guess", MeshUnit::guess},
+                                                            {"mm", MeshUnit::millimetre},
+                                                            {"cm", MeshUnit::centimetre},
+                                                            {"m", MeshUnit::metre},
+                                                            {"in", MeshUnit::inch}}};
+};
+
+template <>
+struct EnumNames<MeshUp> : NameTable<EnumNames<MeshUp>, MeshUp> {
+  static constexpr std::array<NameRow<MeshUp>, 3> kTable{
+      {{"guess", MeshUp::guess}, {"y", MeshUp::y}, {"z", MeshUp::z}}};
+};
+
+template <>
 struct EnumNames<sim::Interpolation> : NameTable<EnumNames<sim::Interpolation>, sim::Interpolation> {
   static constexpr std::array<NameRow<sim::Interpolation>, 3> kTable{
       {{"step", sim::Interpolation::step},
@@ -101,14 +116,14 @@ struct EnumNames<BondPattern> {
 template <>
 struct VariantNames<PartShape> {
   static constexpr std::string_view kTag = "kind";
-  static constexpr std::array<std::string_view, 5> kNames{"slab", "patch", "revolution", "curvedCylinder",
-                                                          "network"};
+  static constexpr std::array<std::string_view, 6> kNames{"slab",           "patch",   "revolution",
+                                                          "curvedCylinder", "network", "mesh"};
 };
 
 template <>
 struct VariantNames<ColliderForm> {
   static constexpr std::string_view kTag = "kind";
-  static constexpr std::array<std::string_view, 4> kNames{"floor", "box", "sphere", "cylinder"};
+  static constexpr std::array<std::string_view, 5> kNames{"floor", "box", "sphere", "cylinder", "mesh"};
 };
 
 }  // namespace modeling

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <tuple>
 
 #include "modeling/shapes/mesh_cells.h"
 #include "modeling/shapes/mesh_features.h"
@@ -17,14 +21,16 @@ namespace {
 using sim::NodeIndex;
 
 /// Scaled Jacobian that evening out strives for, and that no move onto the surface may go below: an outer
-/// edge between two faces that lie on the same flat surface is bent by 10 degrees then, which stands out by
+/// edge between two faces that lie on the same flat surface is bent by 7 degrees then, which stands out by
 /// less than a tenth of a cell.
 constexpr double kGoodJacobian = 0.45;
-constexpr double kLeastJacobian = 0.17;
-constexpr int kRounds = 12;
+constexpr double kLeastJacobian = 0.12;
+constexpr int kRounds = 20;
+/// An edge of 0.3 of a cell is as bad as a scaled Jacobian of 0.18: it makes the step as short.
+constexpr double kEdgeWeight = 0.6;
 /// Shares of a cell within which an outer node belongs to a sharp corner or edge of the mesh.
-constexpr double kCornerReach = 0.75;
-constexpr double kEdgeReach = 0.5;
+constexpr double kCornerReach = 1.2;
+constexpr double kEdgeReach = 1.2;
 
 /// Rows of numbers, one row an owner.
 struct Rows {
@@ -95,42 +101,95 @@ Lattice latticeOf(const CellGrid& grid) {
 constexpr std::array<std::array<unsigned, 4>, 6> kFaces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
+double shortestEdge(const CornerPositions& corners) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (unsigned c = 0; c < 8; ++c) {
+    for (const unsigned axis : {1U, 2U, 4U})
+      if ((c & axis) == 0) shortest = std::min(shortest, (corners[c | axis] - corners[c]).squaredNorm());
+  }
+  return std::sqrt(shortest);
+}
+
+/// What an outer node lies on when all is fitted.
+enum class Place : std::uint8_t { inside, face, edge, corner };
+
+/// Which of the outer nodes belong on sharp edges and corners of the mesh. A node at the rim of two sides of
+/// the staircase does where what is nearest, looking from either side, is bent sharply against each other:
+/// near the rim of a cup the top is nearest to all, but from the side it is the wall.
+class PlaceFinder {
+ public:
+  PlaceFinder(const sim::TriangleMesh& mesh, double cellSize)
+      : mesh_(mesh), features_(mesh), cellSize_(cellSize) {
+    for (unsigned side = 0; side < kSides; ++side) {
+      std::vector<sim::TriangleMesh::Triangle> facing;
+      for (const auto& triangle : mesh.triangles()) {
+        const Vec3& a = mesh.points()[triangle[0]];
+        const Vec3 normal =
+            (mesh.points()[triangle[1]] - a).cross(mesh.points()[triangle[2]] - a).stableNormalized();
+        if (normal.dot(direction(side)) > kFacing) facing.push_back(triangle);
+      }
+      if (features_.hasEdges() && !facing.empty()) sides_[side].emplace(mesh.points(), facing);
+    }
+  }
+
+  const MeshFeatures& features() const { return features_; }
+
+  /// `sides`: a bit for each side of cells that is bare at the node: 2 axis, and one more where it faces up.
+  Place placeOf(const Vec3& node, unsigned sides) const {
+    if (!features_.hasEdges()) return Place::face;
+    std::vector<Vec3> normals;
+    for (unsigned side = 0; side < kSides; ++side) {
+      if (((sides >> side) & 1U) == 0 || !sides_[side]) continue;
+      const auto there = sides_[side]->nearest(node);
+      if (there.distance > kSight * cellSize_) continue;
+      const auto& corners = sides_[side]->triangles()[there.triangle];
+      const Vec3& a = mesh_.points()[corners[0]];
+      normals.push_back(
+          (mesh_.points()[corners[1]] - a).cross(mesh_.points()[corners[2]] - a).stableNormalized());
+    }
+    static const double kCosine = std::cos(MeshFeatures::kSharpAngle * std::numbers::pi / 180.0);
+    for (const Vec3& left : normals) {
+      for (const Vec3& right : normals) {
+        if (left.dot(right) < kCosine && features_.nearestOnEdges(node).distance < kEdgeReach * cellSize_)
+          return Place::edge;
+      }
+    }
+    return Place::face;
+  }
+
+ private:
+  static constexpr unsigned kSides = 6;
+  static constexpr double kFacing = 0.3;  ///< cosine: faces turned further away are not of this side
+  static constexpr double kSight = 1.5;   ///< cells
+
+  static Vec3 direction(unsigned side) {
+    Vec3 axis = Vec3::Zero();
+    axis[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
+    return axis;
+  }
+
+  const sim::TriangleMesh& mesh_;
+  MeshFeatures features_;
+  double cellSize_;
+  std::array<std::optional<sim::TriangleMesh>, kSides> sides_;
+};
+
 class Fitter {
  public:
   Fitter(const sim::TriangleMesh& mesh, double cellSize, Lattice& lattice)
-      : mesh_(mesh), features_(mesh), cellSize_(cellSize), lattice_(lattice) {
+      : mesh_(mesh), places_(mesh, cellSize), cellSize_(cellSize), lattice_(lattice) {
     const std::size_t count = lattice.nodes.size();
-    std::vector<std::array<std::uint32_t, 2>> cells, edges, rim;
-    std::map<std::array<NodeIndex, 4>, std::pair<int, std::array<NodeIndex, 4>>> faces;
+    std::vector<std::array<std::uint32_t, 2>> cells, edges;
     for (std::uint32_t cell = 0; cell < lattice.cells.size(); ++cell) {
       const sim::CellCorners& corners = lattice.cells[cell];
       for (unsigned c = 0; c < 8; ++c) {
         cells.push_back({corners[c], cell});
         for (const unsigned axis : {1U, 2U, 4U}) edges.push_back({corners[c], corners[c ^ axis]});
       }
-      for (const auto& face : kFaces) {
-        const std::array<NodeIndex, 4> ring{corners[face[0]], corners[face[1]], corners[face[2]],
-                                            corners[face[3]]};
-        std::array<NodeIndex, 4> key = ring;
-        std::sort(key.begin(), key.end());
-        auto& entry = faces[key];
-        ++entry.first;
-        entry.second = ring;
-      }
-    }
-    outer_.assign(count, 0);
-    for (const auto& [key, face] : faces) {
-      if (face.first != 1) continue;
-      for (std::size_t c = 0; c < 4; ++c) {
-        outer_[face.second[c]] = 1;
-        rim.push_back({face.second[c], face.second[(c + 1) % 4]});
-        rim.push_back({face.second[(c + 1) % 4], face.second[c]});
-      }
     }
     cells_ = rowsOf(count, std::move(cells));
     edges_ = rowsOf(count, std::move(edges));
-    rim_ = rowsOf(count, std::move(rim));
-    pinned_.assign(count, 0);
+    findOuter();
   }
 
   void run() {
@@ -138,7 +197,6 @@ class Fitter {
       evenOut();
       toSurface(kGoodJacobian);
     }
-    pinFeatures();
     for (int round = 0; round < kRounds; ++round) {
       toSurface(kLeastJacobian);
       evenOut();
@@ -148,102 +206,138 @@ class Fitter {
 
   double farthest() const {
     double farthest = 0.0;
-    for (NodeIndex node = 0; node < outer_.size(); ++node)
-      if (outer_[node] != 0) farthest = std::max(farthest, mesh_.nearest(lattice_.nodes[node]).distance);
+    for (NodeIndex node = 0; node < place_.size(); ++node)
+      if (place_[node] != Place::inside)
+        farthest = std::max(farthest, mesh_.nearest(lattice_.nodes[node]).distance);
     return farthest;
   }
 
  private:
+  void findOuter() {
+    struct Bare {
+      int cells = 0;
+      std::array<NodeIndex, 4> ring{};
+      unsigned side = 0;
+    };
+    std::map<std::array<NodeIndex, 4>, Bare> faces;
+    for (const sim::CellCorners& corners : lattice_.cells) {
+      for (unsigned side = 0; side < kFaces.size(); ++side) {
+        Bare bare{1, {}, side};
+        for (unsigned c = 0; c < 4; ++c) bare.ring[c] = corners[kFaces[side][c]];
+        std::array<NodeIndex, 4> key = bare.ring;
+        std::sort(key.begin(), key.end());
+        const auto [entry, isNew] = faces.try_emplace(key, bare);
+        if (!isNew) ++entry->second.cells;
+      }
+    }
+    std::vector<unsigned> sides(lattice_.nodes.size(), 0);
+    std::vector<std::array<std::uint32_t, 2>> rim;
+    for (const auto& [key, bare] : faces) {
+      if (bare.cells != 1) continue;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const NodeIndex next = bare.ring[(c + 1) % 4];
+        sides[bare.ring[c]] |= 1U << bare.side;
+        rim.push_back({bare.ring[c], next});
+        rim.push_back({next, bare.ring[c]});
+      }
+    }
+    rim_ = rowsOf(lattice_.nodes.size(), std::move(rim));
+    place_.assign(lattice_.nodes.size(), Place::inside);
+    for (NodeIndex node = 0; node < place_.size(); ++node)
+      if (sides[node] != 0) place_[node] = places_.placeOf(lattice_.nodes[node], sides[node]);
+    chooseCorners();
+  }
+
+  /// Each corner of the mesh takes the nearest node of its edges.
+  void chooseCorners() {
+    for (const Vec3& corner : places_.features().corners()) {
+      NodeIndex best = sim::kNone;
+      double nearest = kCornerReach * cellSize_;
+      for (NodeIndex node = 0; node < place_.size(); ++node) {
+        if (place_[node] != Place::edge) continue;
+        const double distance = (lattice_.nodes[node] - corner).norm();
+        if (distance < nearest) std::tie(nearest, best) = std::pair(distance, node);
+      }
+      if (best == sim::kNone) continue;
+      place_[best] = Place::corner;
+      cornerOf_[best] = corner;
+    }
+  }
+
+  Vec3 onItsPlace(NodeIndex node, const Vec3& point) const {
+    switch (place_[node]) {
+      case Place::face:
+        return mesh_.nearest(point).point;
+      case Place::edge:
+        return places_.features().nearestOnEdges(point).point;
+      case Place::corner:
+        return cornerOf_.at(node);
+      case Place::inside:
+        break;
+    }
+    return point;
+  }
+
+  /// The smallest scaled Jacobian, or what a short edge is as bad as.
   double worstAround(NodeIndex node) const {
     double worst = 1.0;
-    for (const std::uint32_t cell : cells_.of(node))
-      worst = std::min(worst, scaledJacobian(cornerPositions(lattice_.nodes, lattice_.cells[cell])));
+    for (const std::uint32_t cell : cells_.of(node)) {
+      const CornerPositions corners = cornerPositions(lattice_.nodes, lattice_.cells[cell]);
+      worst = std::min({worst, scaledJacobian(corners), kEdgeWeight * shortestEdge(corners) / cellSize_});
+    }
     return worst;
   }
 
-  /// As far towards the target as no cell gets worse than it was and worse than `least`. Answers whether all
-  /// the way.
-  bool moveTowards(NodeIndex node, const Vec3& target, double least) {
+  /// As far towards the target as no cell gets worse than it was and worse than `least`.
+  void moveTowards(NodeIndex node, const Vec3& target, double least) {
     const Vec3 before = lattice_.nodes[node];
     const double limit = std::min(least, worstAround(node));
     for (double share = 1.0; share > 0.1; share *= 0.5) {
       lattice_.nodes[node] = before + share * (target - before);
-      if (worstAround(node) >= limit) return share == 1.0;
+      if (worstAround(node) >= limit) return;
     }
     lattice_.nodes[node] = before;
-    return false;
   }
 
-  Vec3 meanOf(std::span<const std::uint32_t> nodes) const {
-    Vec3 sum = Vec3::Zero();
-    for (const std::uint32_t node : nodes) sum += lattice_.nodes[node];
-    return sum / static_cast<double>(nodes.size());
+  /// The mean of the neighbours: on an edge, of those that are on an edge too; on the surface, of those on
+  /// it.
+  Vec3 between(NodeIndex node) const {
+    const auto neighbours = place_[node] == Place::inside ? edges_.of(node) : rim_.of(node);
+    Vec3 all = Vec3::Zero(), along = Vec3::Zero();
+    double count = 0.0;
+    for (const std::uint32_t other : neighbours) {
+      all += lattice_.nodes[other];
+      if (place_[other] != Place::edge && place_[other] != Place::corner) continue;
+      along += lattice_.nodes[other];
+      count += 1.0;
+    }
+    const bool onEdge = place_[node] == Place::edge && count > 1.0;
+    return onEdge ? Vec3(along / count) : Vec3(all / static_cast<double>(neighbours.size()));
   }
 
   /// Inner nodes to the middle of their neighbours; outer ones, along the surface, where a cell is skewed.
   void evenOut() {
-    for (NodeIndex node = 0; node < outer_.size(); ++node) {
-      if (pinned_[node] != 0 || worstAround(node) > 0.999) continue;
-      if (outer_[node] == 0) {
-        moveTowards(node, meanOf(edges_.of(node)), kGoodJacobian);
-      } else if (worstAround(node) < kGoodJacobian) {
-        moveTowards(node, mesh_.nearest(meanOf(rim_.of(node))).point, kLeastJacobian);
+    for (NodeIndex node = 0; node < place_.size(); ++node) {
+      if (place_[node] == Place::inside) {
+        moveTowards(node, between(node), kGoodJacobian);
+      } else if (place_[node] != Place::corner && worstAround(node) < kGoodJacobian) {
+        moveTowards(node, onItsPlace(node, between(node)), kLeastJacobian);
       }
     }
   }
 
   void toSurface(double least) {
-    for (NodeIndex node = 0; node < outer_.size(); ++node) {
-      if (outer_[node] != 0 && pinned_[node] == 0)
-        moveTowards(node, mesh_.nearest(lattice_.nodes[node]).point, least);
-    }
-  }
-
-  /// Each sharp corner takes the nearest outer node, then sharp edges take those that are near.
-  void pinFeatures() {
-    for (const Vec3& corner : features_.corners()) {
-      NodeIndex best = sim::kNone;
-      double nearest = kCornerReach * cellSize_;
-      for (NodeIndex node = 0; node < outer_.size(); ++node) {
-        if (outer_[node] == 0 || pinned_[node] != 0) continue;
-        const double distance = (lattice_.nodes[node] - corner).norm();
-        if (distance < nearest) {
-          nearest = distance;
-          best = node;
-        }
-      }
-      if (best != sim::kNone) pin(best, corner);
-    }
-    if (!features_.hasEdges()) return;
-    for (NodeIndex node = 0; node < outer_.size(); ++node) {
-      if (outer_[node] == 0 || pinned_[node] != 0) continue;
-      const auto edge = features_.nearestOnEdges(lattice_.nodes[node]);
-      if (edge.distance < kEdgeReach * cellSize_ && isNearestOnRim(node, edge)) pin(node, edge.point);
-    }
-  }
-
-  /// No neighbour on the surface is nearer to that point of the edge: else both would end up on it.
-  bool isNearestOnRim(NodeIndex node, const sim::TriangleMesh::Nearest& edge) const {
-    for (const std::uint32_t other : rim_.of(node)) {
-      if ((lattice_.nodes[other] - edge.point).norm() < edge.distance) return false;
-    }
-    return true;
-  }
-
-  void pin(NodeIndex node, const Vec3& target) {
-    const Vec3 before = lattice_.nodes[node];
-    if (moveTowards(node, target, kLeastJacobian)) {
-      pinned_[node] = 1;
-    } else {
-      lattice_.nodes[node] = before;
+    for (NodeIndex node = 0; node < place_.size(); ++node) {
+      if (place_[node] != Place::inside) moveTowards(node, onItsPlace(node, lattice_.nodes[node]), least);
     }
   }
 
   const sim::TriangleMesh& mesh_;
-  MeshFeatures features_;
+  PlaceFinder places_;
   double cellSize_;
   Lattice& lattice_;
-  std::vector<std::uint8_t> outer_, pinned_;
+  std::vector<Place> place_;
+  std::map<NodeIndex, Vec3> cornerOf_;
   Rows cells_, edges_, rim_;
 };
 

@@ -25,8 +25,12 @@ struct MeshSource {
 
 /// A closed mesh filled with cells that end at its surface.
 struct MeshShape {
-  MeshSource source;
+  std::string file;  ///< see MeshSource
+  MeshUnit unit = MeshUnit::guess;
+  MeshUp up = MeshUp::guess;
   double cellSize = 0.5;  ///< cm, > 0
+
+  MeshSource source() const { return {file, unit, up}; }
 
   bool operator==(const MeshShape&) const = default;
 };

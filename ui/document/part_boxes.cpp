@@ -58,7 +58,12 @@ Box shapeBox(const modeling::CurvedCylinderShape& shape) {
   return grown(box, std::max(width, largest(shape.halfDepth)));
 }
 
+/// What is in a file is not known before it is read.
 Box shapeBox(const modeling::NetworkShape&) {
+  return {};
+}
+
+Box shapeBox(const modeling::MeshShape&) {
   return {};
 }
 
@@ -79,6 +84,11 @@ Vec3 halfSizeOf(const modeling::ColliderForm& form) {
 
 Box colliderBox(const modeling::SceneCollider& collider) {
   if (std::holds_alternative<modeling::FloorShape>(collider.form)) return {};
+  if (const auto* obstacle = std::get_if<modeling::MeshObstacle>(&collider.form)) {
+    if (!obstacle->surface.mesh) return {};
+    return transformed(obstacle->surface.mesh->box(),
+                       Eigen::Translation3d(collider.position) * collider.rotation.quaternion());
+  }
   const Vec3 half = halfSizeOf(collider.form);
   return transformed(Box(-half, half),
                      Eigen::Translation3d(collider.position) * collider.rotation.quaternion());

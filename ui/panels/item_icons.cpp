@@ -15,7 +15,7 @@ QColor colourOf(const modeling::Colour& colour) {
 }
 
 const char* nameOfShape(const modeling::PartShape& shape) {
-  constexpr const char* kNames[] = {"slab", "patch", "revolution", "curved-cylinder", "network"};
+  constexpr const char* kNames[] = {"slab", "patch", "revolution", "curved-cylinder", "network", "network"};
   return shape.index() < std::size(kNames) ? kNames[shape.index()] : "box";
 }
 

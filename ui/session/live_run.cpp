@@ -57,6 +57,7 @@ sim::Status LiveRun::startFresh() {
     built = std::make_shared<const modeling::BuiltScene>(std::move(made).value());
   }
   notes_ = built->warnings;
+  plan_.scene = scene_ = built->scene;
   modeling::Conditions conditions = built->conditions;
   conditions.settings.threads = plan_.threads;
   auto simulation = sim::Simulation::create(built->network, std::move(conditions.environment),

@@ -38,6 +38,7 @@ struct Scaled {
     cylinder.radius *= std::sqrt(factors.x() * factors.y());
     cylinder.halfHeight *= factors.z();
   }
+  void operator()(modeling::MeshObstacle&) const {}
 };
 
 sim::Vec3 placed(const sim::Vec3& position, const Eigen::Quaterniond& worldFromAxes, const Transform& by) {

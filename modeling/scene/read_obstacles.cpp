@@ -1,0 +1,28 @@
+#include "modeling/scene/read_obstacles.h"
+
+#include "modeling/exchange/mesh_file.h"
+
+namespace modeling {
+
+sim::Status readObstacles(Scene& scene, const std::filesystem::path& folder,
+                          std::vector<std::string>& remarks) {
+  auto& colliders = scene.environment.colliders;
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    auto* obstacle = std::get_if<MeshObstacle>(&colliders[i].form);
+    if (obstacle == nullptr || obstacle->surface.mesh) continue;
+    auto read = loadMesh(folder, obstacle->source());
+    if (!read) return read.problem();
+    if (read->mesh.triangles().size() > kMostObstacleTriangles) {
+      return sim::Problem{
+          "environment.colliders[" + std::to_string(i) + "].file",
+          "this obstacle has more than " + std::to_string(kMostObstacleTriangles) + " triangles",
+          "use a mesh of fewer faces"};
+    }
+    remarks.push_back(read->remark + (read->mesh.closed() ? "; it is closed: a solid obstacle"
+                                                          : "; it is open: a sheet as an obstacle"));
+    obstacle->surface.mesh = std::make_shared<const sim::TriangleMesh>(std::move(read->mesh));
+  }
+  return sim::Done{};
+}
+
+}  // namespace modeling

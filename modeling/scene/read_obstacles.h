@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "modeling/scene/scene.h"
+
+namespace modeling {
+
+/// An obstacle stands in the head of every take of its scene, as text.
+inline constexpr std::size_t kMostObstacleTriangles = 100'000;
+
+/// Reads the surfaces of obstacles that only name their file. `remarks` gets how each was taken. A Problem's
+/// place is a path of the scene, or the file.
+sim::Status readObstacles(Scene& scene, const std::filesystem::path& folder,
+                          std::vector<std::string>& remarks);
+
+}  // namespace modeling

@@ -1,0 +1,54 @@
+#include <algorithm>
+
+#include "modeling/scene/scene_codec.h"
+
+namespace modeling {
+
+namespace {
+
+using Points = std::vector<Vec3>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+constexpr Rule kPoints{"points", "Corners, cm.", true, {}, false};
+constexpr Rule kTriangles{"triangles", "Numbers of three points each, from 0.", true, {}, false};
+
+}  // namespace
+
+bool Codec<ObstacleSurface>::read(JsonReader& reader, const JsonValue& value, ObstacleSurface& out,
+                                  const Rule& rule) {
+  if (!reader.checkObject(value, rule, {"points", "triangles"})) return false;
+  for (const Rule& needed : {kPoints, kTriangles})
+    if (value.find(needed.key) == nullptr) return reader.failMissing(value, needed.key);
+  Points points;
+  Triangles triangles;
+  const JsonValue& list = *value.find("triangles");
+  if (!Codec<Points>::read(reader, *value.find("points"), points, kPoints) ||
+      !Codec<Triangles>::read(reader, list, triangles, kTriangles))
+    return false;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (*std::max_element(triangles[i].begin(), triangles[i].end()) < points.size()) continue;
+    return reader.fail((*list.array())[i].position, "this triangle names a point that is not there",
+                       "count points from 0");
+  }
+  auto mesh = std::make_shared<sim::TriangleMesh>(std::move(points), triangles);
+  if (mesh->triangles().empty())
+    return reader.fail(list.position, "there are no triangles",
+                       "give at least one of three different points");
+  out.mesh = std::move(mesh);
+  return true;
+}
+
+Json Codec<ObstacleSurface>::write(const ObstacleSurface& value, const ObstacleSurface&, const Rule&) {
+  return {{"points", Codec<Points>::write(value.mesh->points(), {}, kPoints)},
+          {"triangles", Codec<Triangles>::write(value.mesh->triangles(), {}, kTriangles)}};
+}
+
+Json Codec<ObstacleSurface>::schema(const Rule&) {
+  Json schema = objectSchema();
+  schema["properties"]["points"] = Codec<Points>::schema(kPoints);
+  schema["properties"]["triangles"] = Codec<Triangles>::schema(kTriangles);
+  schema["required"] = {"points", "triangles"};
+  return schema;
+}
+
+}  // namespace modeling
