@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -119,6 +120,9 @@ void limitMyself() {
 
 [[noreturn]] void answerAndEnd(int pipe, const std::filesystem::path& file) {
   limitMyself();
+  // Whoever is told of our crashes has nothing to do with a crash in here.
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGALRM, SIGXCPU})
+    std::signal(signal, SIG_DFL);
   // What assimp says to the terminal is not for the person.
   if (std::freopen("/dev/null", "w", stderr) == nullptr) ::_exit(1);
   bool sent = false;

@@ -35,7 +35,7 @@ sim::Vec3 momentumOf(const sim::Simulation& simulation) {
 TEST_CASE("the gallery has a scene for each figure of the paper and each kind of accident") {
   for (const char* name : {"cylinder", "teapot-squash", "teapot-hiccup", "teapot-sneeze", "teapot-drop",
                            "teapot-drop-fine", "vases-wobble", "rope-coil", "spoon-bend", "plate-shatter",
-                           "cup-roll", "pane-and-ball", "tipsy-table"}) {
+                           "cup-roll", "pane-and-ball", "tipsy-table", "vase-in-dish"}) {
     INFO(name);
     CHECK(std::filesystem::exists(kScenes / (std::string(name) + ".scene.json")));
   }

@@ -39,7 +39,7 @@ TEST_CASE("a mistake in a scene is one line with the place and the remedy") {
       {", \"size\": [4, 2, 2]", "", "s:5:5: the key \"size\" is missing; add it to this object"},
       {"\"slab\"", "\"slob\"",
        "s:5:31: kind does not know \"slob\"; did you mean \"slab\"? There are slab, patch, revolution, "
-       "curvedCylinder, network"},
+       "curvedCylinder, network, mesh"},
       {"\"smithereens\": 1", "\"smithereens\": 2",
        "s:2:18: this is a scene of version 2; open it with a newer Smithereens"},
       {"  \"smithereens\": 1,\n", "",

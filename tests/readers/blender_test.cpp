@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/exchange/export.h"
+#include "modeling/exchange/mesh_file.h"
+#include "tests/fuzz/text_cuts.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/run_program.h"
@@ -97,6 +99,34 @@ TEST_CASE("Blender plays a deforming surface from its cache as it was recorded")
     double worst = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) worst = std::max(worst, (points[i] - expected[i]).norm());
     CHECK(worst < 1e-4);
+  }
+}
+
+std::string textOf(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_CASE(
+    "a mesh that Blender exports as FBX is read with its size and its axes, and damaged ones do no harm") {
+  if (!haveBlender()) return;
+  const std::string folder = tests::freshFolder("smithereens-blender");
+  const auto answer = tests::runCommand(
+      "blender --background --factory-startup --python-exit-code 3 --python-expr '"
+      "import bpy; bpy.ops.object.delete(); bpy.ops.mesh.primitive_cube_add(scale=(0.01, 0.02, 0.04)); "
+      "bpy.ops.export_scene.fbx(filepath=\"" +
+      folder + "/box.fbx\", use_selection=True)'");
+  INFO(answer.output << answer.errors);
+  REQUIRE(answer.status == 0);
+  const auto file = modeling::loadMesh(folder, {"box.fbx"});
+  REQUIRE(file.ok());
+  CHECK(file->mesh.closed());
+  CHECK((file->mesh.box().diagonal() - Vec3(2.0, 4.0, 8.0)).norm() < 1e-4);
+  const std::string sound = textOf(folder + "/box.fbx");
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    std::ofstream(folder + "/box.fbx", std::ios::binary) << tests::damaged(sound, seed);
+    const auto damaged = modeling::loadMesh(folder, {"box.fbx"});
+    if (!damaged.ok()) CHECK_THAT(damaged.problem().place, Catch::Contains("box.fbx"));
   }
 }
 

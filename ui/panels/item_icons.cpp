@@ -20,7 +20,7 @@ const char* nameOfShape(const modeling::PartShape& shape) {
 }
 
 const char* nameOfForm(const modeling::ColliderForm& form) {
-  constexpr const char* kNames[] = {"floor", "box", "sphere", "cylinder"};
+  constexpr const char* kNames[] = {"floor", "box", "sphere", "cylinder", "network"};
   return form.index() < std::size(kNames) ? kNames[form.index()] : "box";
 }
 

@@ -221,6 +221,21 @@ void addNetwork(PropertyForm& form) {
   }
 }
 
+void addMesh(PropertyForm& form) {
+  using Shape = modeling::MeshShape;
+  Fieldset<Shape> fields(form, "", shapeOf<Shape>);
+  form.addText(
+      fields.labelOf(&Shape::file, PropertyForm::tr("File")),
+      [](Scene& scene, const Item& item) {
+        const Shape* shape = shapeOf<Shape>(scene, item);
+        return shape ? QString::fromStdString(shape->file) : QString();
+      },
+      [](Scene& scene, const Item& item, const QString& file) {
+        if (Shape* shape = shapeOf<Shape>(scene, item)) shape->file = file.toStdString();
+      });
+  fields.number(&Shape::cellSize, PropertyForm::tr("Cell size"), Dimension::length, 0.05);
+}
+
 }  // namespace
 
 void addShapeProperties(PropertyForm& form) {
@@ -235,6 +250,7 @@ void addShapeProperties(PropertyForm& form) {
   if (std::holds_alternative<modeling::BezierPatchShape>(shape)) return addPatch(form);
   if (std::holds_alternative<modeling::RevolutionShape>(shape)) return addRevolution(form);
   if (std::holds_alternative<modeling::CurvedCylinderShape>(shape)) return addCurvedCylinder(form);
+  if (std::holds_alternative<modeling::MeshShape>(shape)) return addMesh(form);
   if (std::holds_alternative<modeling::NetworkShape>(shape)) addNetwork(form);
 }
 

@@ -1,0 +1,221 @@
+#include "modeling/exchange/mesh_file.h"
+
+#include <fstream>
+#include <sstream>
+
+#include <assimp/Exporter.hpp>
+#include <assimp/scene.h>
+#include <catch2/catch.hpp>
+
+#include "modeling/scene/build.h"
+#include "modeling/scene/scene_file.h"
+#include "tests/fuzz/text_cuts.h"
+#include "tests/sim/take_sample.h"
+#include "tests/support/meshes.h"
+
+/// Meshes of other programs: written by assimp, read by us.
+namespace {
+
+using modeling::MeshSource;
+using modeling::MeshUnit;
+using modeling::MeshUp;
+using sim::Vec3;
+
+/// A scene of assimp's with one mesh.
+std::unique_ptr<aiScene> sceneOf(const sim::TriangleMesh& mesh) {
+  auto scene = std::make_unique<aiScene>();
+  scene->mRootNode = new aiNode("root");
+  scene->mNumMaterials = scene->mNumMeshes = scene->mRootNode->mNumMeshes = 1;
+  scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
+  scene->mMeshes = new aiMesh* [1] { new aiMesh };
+  scene->mRootNode->mMeshes = new unsigned[1]{0};
+  aiMesh& made = *scene->mMeshes[0];
+  made.mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+  made.mNumVertices = static_cast<unsigned>(mesh.points().size());
+  made.mVertices = new aiVector3D[made.mNumVertices];
+  for (unsigned v = 0; v < made.mNumVertices; ++v) {
+    const Vec3& point = mesh.points()[v];
+    made.mVertices[v] = {static_cast<float>(point.x()), static_cast<float>(point.y()),
+                         static_cast<float>(point.z())};
+  }
+  made.mNumFaces = static_cast<unsigned>(mesh.triangles().size());
+  made.mFaces = new aiFace[made.mNumFaces];
+  for (unsigned f = 0; f < made.mNumFaces; ++f) {
+    const auto& triangle = mesh.triangles()[f];
+    made.mFaces[f].mNumIndices = 3;
+    made.mFaces[f].mIndices = new unsigned[3]{triangle[0], triangle[1], triangle[2]};
+  }
+  return scene;
+}
+
+struct Format {
+  const char* id;
+  const char* file;
+};
+/// FBX is tested with Blender's (readers/blender_test.cpp): what assimp writes of it, assimp does not read.
+constexpr std::array<Format, 5> kFormats{{{"obj", "box.obj"},
+                                          {"ply", "box.ply"},
+                                          {"stl", "box.stl"},
+                                          {"glb2", "box.glb"},
+                                          {"collada", "box.dae"}}};
+
+void write(const sim::TriangleMesh& mesh, const Format& format, const tests::ScratchFolder& scratch) {
+  const auto scene = sceneOf(mesh);
+  Assimp::Exporter exporter;
+  REQUIRE(exporter.Export(scene.get(), format.id, scratch.file(format.file).string()) == aiReturn_SUCCESS);
+}
+
+std::filesystem::path folderOf(const tests::ScratchFolder& scratch) {
+  return scratch.file("x").parent_path();
+}
+
+TEST_CASE("a box comes back from every format as large as it was, closed, and right side out") {
+  const Vec3 halfSize(1.0, 2.0, 4.0);
+  for (const Format& format : kFormats) {
+    INFO(format.id);
+    const tests::ScratchFolder scratch;
+    write(tests::boxMesh(halfSize), format, scratch);
+    const auto file = modeling::loadMesh(folderOf(scratch), {format.file, MeshUnit::centimetre, MeshUp::z});
+    REQUIRE(file.ok());
+    CHECK(file->mesh.closed());
+    CHECK(file->mesh.triangles().size() == 12);
+    CHECK(file->mesh.points().size() == 8);
+    CHECK(file->mesh.volume() == Approx(64.0).epsilon(1e-5));
+    // assimp's Collada is y up and turned back by none.
+    Vec3 size = file->mesh.box().diagonal();
+    std::sort(size.data(), size.data() + 3);
+    CHECK((size - 2.0 * halfSize).norm() < 1e-5);
+  }
+}
+
+TEST_CASE("units are as stated, as the format says, or guessed by the size of dishware, and told") {
+  const tests::ScratchFolder scratch;
+  write(tests::boxMesh(Vec3(30.0, 40.0, 50.0)), kFormats[2], scratch);
+  const auto sized = [&](MeshUnit unit, MeshUp up) {
+    return modeling::loadMesh(folderOf(scratch), {"box.stl", unit, up});
+  };
+  const auto guessed = sized(MeshUnit::guess, MeshUp::guess);
+  REQUIRE(guessed.ok());
+  CHECK((guessed->mesh.box().diagonal() - Vec3(6.0, 8.0, 10.0)).norm() < 1e-5);
+  CHECK_THAT(guessed->remark, Catch::Contains("millimetres by a guess") && Catch::Contains("6 x 8 x 10 cm"));
+  CHECK((sized(MeshUnit::inch, MeshUp::z)->mesh.box().diagonal() - 2.54 * Vec3(60.0, 80.0, 100.0)).norm() <
+        1e-3);
+  CHECK((sized(MeshUnit::centimetre, MeshUp::y)->mesh.box().diagonal() - Vec3(60.0, 100.0, 80.0)).norm() <
+        1e-4);
+
+  write(tests::boxMesh(Vec3(0.03, 0.04, 0.05)), kFormats[3], scratch);
+  const auto metres = modeling::loadMesh(folderOf(scratch), {"box.glb", MeshUnit::guess, MeshUp::guess});
+  REQUIRE(metres.ok());
+  CHECK((metres->mesh.box().diagonal() - Vec3(6.0, 10.0, 8.0)).norm() < 1e-4);
+}
+
+TEST_CASE("a mesh that is inside out is turned, and told") {
+  const tests::ScratchFolder scratch;
+  const sim::TriangleMesh box = tests::boxMesh(Vec3::Constant(4.0));
+  auto triangles = box.triangles();
+  for (auto& triangle : triangles) std::swap(triangle[0], triangle[1]);
+  write({box.points(), triangles}, kFormats[1], scratch);
+  const auto file = modeling::loadMesh(folderOf(scratch), {"box.ply", MeshUnit::guess, MeshUp::guess});
+  REQUIRE(file.ok());
+  CHECK(file->mesh.volume() == Approx(512.0));
+  CHECK_THAT(file->remark, Catch::Contains("inside out"));
+}
+
+TEST_CASE("what is no mesh is a problem that names the file") {
+  const tests::ScratchFolder scratch;
+  const auto lineOf = [&](const std::string& name, const std::string& text) {
+    if (!text.empty()) std::ofstream(scratch.file(name)) << text;
+    const auto file = modeling::loadMesh(folderOf(scratch), {name, MeshUnit::guess, MeshUp::guess});
+    REQUIRE_FALSE(file.ok());
+    CHECK_THAT(file.problem().place, Catch::Contains(name));
+    return file.problem().line();
+  };
+  CHECK_THAT(lineOf("absent.obj", ""), Catch::Contains("cannot read this file"));
+  CHECK_THAT(lineOf("picture.png", "x"), Catch::Contains("no format"));
+  CHECK_THAT(lineOf("words.obj", "these are words\n"), Catch::Contains("mesh") || Catch::Contains("faces"));
+  CHECK_THAT(lineOf("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"),
+             Catch::Contains("mesh") || Catch::Contains("faces"));
+  CHECK_THAT(lineOf("far.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"), Catch::Contains("nowhere"));
+}
+
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_CASE("a damaged mesh is a problem or a mesh, never a crash, whatever the reader does") {
+  const tests::ScratchFolder scratch;
+  const sim::TriangleMesh ball = tests::ballMesh(4.0, 5);
+  for (const Format& format : kFormats) {
+    write(ball, format, scratch);
+    const std::string sound = textOf(scratch.file(format.file));
+    int problems = 0;
+    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+      std::ofstream(scratch.file(format.file), std::ios::binary) << tests::damaged(sound, seed);
+      const auto file = modeling::loadMesh(folderOf(scratch), {format.file, MeshUnit::guess, MeshUp::guess});
+      if (file.ok()) {
+        CHECK(file->mesh.box().diagonal().allFinite());
+        continue;
+      }
+      ++problems;
+      CHECK_THAT(file.problem().place, Catch::Contains(format.file));
+      CHECK(file.problem().line().size() < 600);
+    }
+    INFO(format.id);
+    CHECK(problems > 0);
+  }
+}
+
+TEST_CASE("a scene takes a mesh as an obstacle with it, so that it is the same without the file") {
+  std::optional<tests::ScratchFolder> scratch(std::in_place);
+  write(tests::boxMesh(Vec3(3.0, 4.0, 5.0)), kFormats[1], *scratch);
+  const std::string text =
+      R"({"smithereens": 1, "materials": {"m": {}}, "parts": [{"name": "a", "kind": "slab",
+    "material": "m", "size": [1, 1, 1]}], "environment": {"colliders": [{"name": "b", "kind": "mesh",
+    "file": "box.ply"}]}})";
+  const auto file = modeling::parseScene(text, "scene");
+  REQUIRE(file.ok());
+  const auto built = modeling::build(file->scene, folderOf(*scratch));
+  REQUIRE(built.ok());
+  const sim::Collider& collider = built->conditions.environment.colliders[0];
+  REQUIRE(collider.mesh);
+  CHECK(collider.mesh->volume() == Approx(480.0));
+  CHECK(collider.halfThickness == 0.0);
+  CHECK(built->scene == file->scene);
+
+  scratch.reset();
+  const auto again = modeling::parseScene(modeling::writeScene(built->scene), "written");
+  REQUIRE(again.ok());
+  const auto rebuilt = modeling::build(again->scene, "/nowhere");
+  REQUIRE(rebuilt.ok());
+  CHECK(*rebuilt->conditions.environment.colliders[0].mesh == *collider.mesh);
+}
+
+TEST_CASE("a scene's mesh becomes a part, and one with a hole is refused by its place in the scene") {
+  const tests::ScratchFolder scratch;
+  write(tests::ballMesh(3.0, 12), kFormats[0], scratch);
+  const auto sceneWith = [&](const std::string& name) {
+    return modeling::parseScene(
+               R"({"smithereens": 1, "materials": {"m": {}}, "parts": [{"name": "a", "kind": "mesh",
+      "material": "m", "file": ")" +
+                   name + R"(", "cellSize": 0.75}]})",
+               "scene")
+        ->scene;
+  };
+  const auto built = modeling::build(sceneWith("box.obj"), folderOf(scratch));
+  REQUIRE(built.ok());
+  CHECK(built->network.cellCount() > 100);
+  CHECK_FALSE(built->network.validate().has_value());
+  REQUIRE(built->warnings.size() >= 2);
+  CHECK_THAT(built->warnings[1], Catch::Contains("per cent of the mesh's volume"));
+
+  auto triangles = tests::ballMesh(3.0, 12).triangles();
+  triangles.pop_back();
+  write({tests::ballMesh(3.0, 12).points(), triangles}, kFormats[1], scratch);
+  const auto holed = modeling::build(sceneWith("box.ply"), folderOf(scratch));
+  REQUIRE_FALSE(holed.ok());
+  CHECK(holed.problem().place == "parts[0].file");
+  CHECK_THAT(holed.problem().what, Catch::Contains("not closed"));
+}
+
+}  // namespace
