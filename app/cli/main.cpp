@@ -14,6 +14,7 @@
 #include "app/cli/render_command.h"
 #include "app/cli/resume_command.h"
 #include "app/cli/simulate_command.h"
+#include "app/cli/sweep_command.h"
 
 namespace {
 
@@ -22,8 +23,9 @@ using app::ExitStatus;
 
 /// Every command of the program, in the order in which help lists them.
 constexpr std::initializer_list<AddCommand> kCommands = {
-    app::addSimulateCommand, app::addResumeCommand,       app::addInfoCommand,      app::addRenderCommand,
-    app::addExportCommand,   app::addImportLammpsCommand, app::addCalibrateCommand, app::addBenchCommand};
+    app::addSimulateCommand, app::addResumeCommand,    app::addInfoCommand,
+    app::addRenderCommand,   app::addExportCommand,    app::addImportLammpsCommand,
+    app::addSweepCommand,    app::addCalibrateCommand, app::addBenchCommand};
 
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Dishware that bends, hiccups, sneezes and breaks.", "smithereens-cli");

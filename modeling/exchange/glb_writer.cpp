@@ -10,6 +10,7 @@
 #include "modeling/exchange/fragment_motion.h"
 #include "modeling/exchange/gltf_file.h"
 #include "modeling/exchange/key_reduction.h"
+#include "modeling/exchange/part_parameters.h"
 #include "modeling/exchange/take_scene.h"
 #include "modeling/exchange/text_output.h"
 
@@ -50,10 +51,13 @@ Json numberOrNull(double number) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
 
-/// The vertices of one primitive: one for each different pair of point and normal.
+/// A point with one of its normals and of its texture coordinates.
+using VertexKey = std::tuple<std::uint32_t, std::uint32_t, float, float>;
+
+/// The vertices of one primitive: one for each different key.
 struct Vertices {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
-  std::vector<float> positions, normals, colours, weights;
+  std::map<VertexKey, std::uint32_t> known;
+  std::vector<float> positions, normals, coordinates, colours, weights;
   std::vector<std::uint16_t> joints;
   std::vector<std::uint32_t> corners;
 };
@@ -69,7 +73,11 @@ class GlbWriter {
         motion_(motion),
         mesh_(sim::SurfaceBuilder(take.network()).build(motion.split)),
         damage_(damageOfNodes(take.network(), motion.split)),
-        skinned_(motion.fragments.size() > kMostFragmentNodes) {}
+        skinned_(motion.fragments.size() > kMostFragmentNodes) {
+    // Without the scene, or a file that it names, there are none.
+    const auto parameters = PartParameters::create(scene, "", take.network());
+    if (parameters) coordinates_ = parameters->textureCoordinates(mesh_);
+  }
 
   GltfFile run() {
     for (std::size_t i = 0; i < motion_.fragments.size(); ++i)
@@ -144,11 +152,16 @@ class GlbWriter {
                   {"roughnessFactor", roughness}}}});
   }
 
-  std::uint32_t vertex(Vertices& vertices, std::uint32_t point, std::uint32_t normal,
-                       std::size_t fragment) const {
-    const auto [at, isNew] =
-        vertices.known.try_emplace({point, normal}, static_cast<std::uint32_t>(vertices.known.size()));
+  std::uint32_t vertex(Vertices& vertices, std::size_t face, unsigned corner, std::size_t fragment) const {
+    const std::uint32_t point = mesh_.faces[face].points[corner];
+    const std::uint32_t normal = mesh_.faces[face].normals[corner];
+    const Eigen::Vector2f uv =
+        coordinates_.empty() ? Eigen::Vector2f(Eigen::Vector2f::Zero()) : coordinates_[face][corner];
+    const auto [at, isNew] = vertices.known.try_emplace(VertexKey{point, normal, uv.x(), uv.y()},
+                                                        static_cast<std::uint32_t>(vertices.known.size()));
     if (!isNew) return at->second;
+    // glTF counts v from the top of a picture.
+    put(vertices.coordinates, std::array<float, 2>{uv.x(), 1.0F - uv.y()});
     const Vec3 origin = skinned_ ? Vec3(Vec3::Zero()) : motion_.fragments[fragment].origin;
     put(vertices.positions, inMetres(mesh_.points[point] - origin));
     put(vertices.normals, upright(mesh_.normals[normal]));
@@ -169,12 +182,13 @@ class GlbWriter {
       const std::size_t fragment = fragmentAt_.at(face.fragment);
       for (unsigned c = 2; c < face.cornerCount; ++c) {
         for (const unsigned corner : {0U, c - 1, c})
-          vertices.corners.push_back(vertex(vertices, face.points[corner], face.normals[corner], fragment));
+          vertices.corners.push_back(vertex(vertices, f, corner, fragment));
       }
     }
     Json attributes = {{"POSITION", file_.addPositions(vertices.positions)},
                        {"NORMAL", file_.addVertices(vertices.normals, 3)},
                        {"COLOR_0", file_.addVertices(vertices.colours, 4)}};
+    if (!coordinates_.empty()) attributes["TEXCOORD_0"] = file_.addVertices(vertices.coordinates, 2);
     if (skinned_) {
       attributes["JOINTS_0"] = file_.addJoints(vertices.joints);
       attributes["WEIGHTS_0"] = file_.addVertices(vertices.weights, 4);
@@ -249,6 +263,7 @@ class GlbWriter {
   sim::SurfaceMesh mesh_;
   std::vector<double> damage_;
   bool skinned_;
+  std::vector<FaceCoordinates> coordinates_;  ///< one a face; empty: there are none
   GltfFile file_;
   std::map<sim::FragmentId, std::size_t> fragmentAt_;
   std::map<std::size_t, std::map<Slot, std::vector<std::size_t>>> slots_;  ///< by fragment: its faces

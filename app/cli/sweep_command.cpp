@@ -1,0 +1,151 @@
+#include "app/cli/sweep_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/child_processes.h"
+#include "app/cli/progress.h"
+#include "app/cli/sweep_grid.h"
+#include "app/cli/sweep_results.h"
+#include "modeling/exchange/text_output.h"
+#include "modeling/scene/scene_file.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SweepOptions {
+  std::string scene;
+  std::vector<std::string> variations;
+  std::vector<std::string> settings;
+  std::string out;
+  std::size_t jobs = 1;
+  std::optional<std::size_t> only;
+  bool collect = false;
+  bool slurm = false;
+};
+
+std::vector<std::string> simulateWords(const SweepOptions& options, const SweepGrid& grid, std::size_t run,
+                                       std::size_t threads) {
+  const SweepFiles files(options.out, run);
+  std::vector<std::string> words{ownProgram(),
+                                 "simulate",
+                                 fs::absolute(options.scene).string(),
+                                 "--take",
+                                 files.take.string(),
+                                 "--report",
+                                 files.report.string(),
+                                 "--threads",
+                                 std::to_string(threads)};
+  for (const std::string& setting : options.settings) words.insert(words.end(), {"--set", setting});
+  const auto values = grid.valuesOf(run);
+  for (std::size_t v = 0; v < values.size(); ++v)
+    words.insert(words.end(), {"--set", grid.variations()[v].path + "=" + values[v]});
+  return words;
+}
+
+/// Every setting is tried before anything runs: a slip is told at once, not by each run.
+sim::Status checkRuns(const SweepOptions& options, const SweepGrid& grid) {
+  for (std::size_t v = 0; v < grid.variations().size(); ++v) {
+    for (const std::string& value : grid.variations()[v].values) {
+      std::vector<std::string> settings = options.settings;
+      settings.push_back(grid.variations()[v].path + "=" + value);
+      const auto scene = modeling::loadScene(options.scene, settings);
+      if (!scene) return scene.problem();
+    }
+  }
+  return sim::Done{};
+}
+
+void runAll(const SweepOptions& options, const SweepGrid& grid) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t threads = std::max<std::size_t>(1, cores / options.jobs);
+  std::vector<Command> commands;
+  for (std::size_t run = 0; run < grid.runs(); ++run) {
+    if (options.only && *options.only != run) continue;
+    commands.push_back(
+        {simulateWords(options, grid, run, threads), SweepFiles(options.out, run).log.string()});
+  }
+  Progress progress("sweep");
+  std::size_t ended = 0;
+  runCommands(commands, options.jobs, [&](std::size_t, int) {
+    progress.show(static_cast<double>(++ended) / static_cast<double>(commands.size()));
+  });
+}
+
+std::string inShellQuotes(const std::string& word) {
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
+/// A task of the array is a run; what they left is collected when all have ended.
+sim::Status writeSlurm(const SweepOptions& options, const SweepGrid& grid) {
+  std::string sweep = inShellQuotes(ownProgram()) + " sweep " +
+                      inShellQuotes(fs::absolute(options.scene).string()) + " --out " +
+                      inShellQuotes(fs::absolute(options.out).string());
+  for (const std::string& variation : options.variations) sweep += " --vary " + inShellQuotes(variation);
+  for (const std::string& setting : options.settings) sweep += " --set " + inShellQuotes(setting);
+  modeling::TextOutput out(fs::path(options.out) / "sweep.slurm");
+  out << "#!/bin/bash\n#SBATCH --job-name=smithereens-sweep\n#SBATCH --array=0-"
+      << std::uint64_t{grid.runs() - 1} << "\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n"
+      << "# sbatch sweep.slurm; when all tasks have ended, for the table and the sheet:\n# " << sweep
+      << " --collect\n"
+      << sweep << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
+  return out.finish();
+}
+
+ExitStatus sweep(const SweepOptions& options) {
+  const auto grid = SweepGrid::create(options.variations);
+  if (!grid) return complain(grid.problem());
+  if (options.only && *options.only >= grid->runs()) {
+    return complain({"--only", "there is no run " + std::to_string(*options.only),
+                     "the last one is " + std::to_string(grid->runs() - 1)});
+  }
+  if (const auto status = checkRuns(options, *grid); !status) return complain(status.problem());
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  if (error) return complain({options.out, "cannot make this folder", "choose one that can be written"});
+  if (options.slurm) {
+    const auto written = writeSlurm(options, *grid);
+    if (!written) return complain(written.problem());
+    std::cout << "runs          " << grid->runs() << "\nscript        " << options.out << "/sweep.slurm\n";
+    return ExitStatus::done;
+  }
+  if (!options.collect) runAll(options, *grid);
+  if (options.only) return ExitStatus::done;
+  const auto failed = collectResults(*grid, options.out);
+  if (!failed) return complain(failed.problem());
+  std::cout << "runs          " << grid->runs() << ", " << *failed << " of them failed\ntable         "
+            << options.out << "/sweep.csv, sweep.json\npictures      " << options.out << "/sweep.png\n";
+  return *failed == 0 ? ExitStatus::done : ExitStatus::failed;
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& program, ExitStatus& status) {
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App* command = program.add_subcommand(
+      "sweep", "Run a scene with every combination of values; a table and a sheet of pictures");
+  command->add_option("scene", options->scene, "The scene")->required();
+  command->add_option("--vary", options->variations, "PATH=A,B,C; may be given several times")
+      ->required()
+      ->take_all();
+  command->add_option("--set", options->settings, "PATH=VALUE for all runs")->take_all();
+  command->add_option("--out", options->out, "Folder for takes, reports, table and pictures")->required();
+  command->add_option("--jobs", options->jobs, "Runs at a time")->check(CLI::Range(1, kMostThreads));
+  command->add_option("--only", options->only, "Only the run of this number, from 0; no table");
+  command->add_flag("--collect", options->collect, "Table and pictures of runs that have ended");
+  command->add_flag("--slurm", options->slurm, "Write a job array for Slurm instead of running");
+  command->callback([options, &status] { status = sweep(*options); });
+}
+
+}  // namespace app
