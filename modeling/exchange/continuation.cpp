@@ -4,6 +4,7 @@
 
 #include "modeling/scene/build.h"
 #include "modeling/scene/json_text.h"
+#include "modeling/scene/read_obstacles.h"
 #include "modeling/scene/scene_file.h"
 #include "sim/base/text_hash.h"
 
@@ -153,8 +154,11 @@ sim::Result<Continuation> continueFrom(const sim::TakeReader& take, std::size_t 
   if (!snapshot) return snapshot.problem();
   sim::Result<Scene> scene = parsedSceneOf(take, frame);
   if (!scene) return scene.problem();
+  Scene after;
   if (changed != nullptr) {
     if (const sim::Status possible = checkChange(*scene, *changed); !possible) return possible.problem();
+    after = *changed;
+    if (const sim::Status known = takeOverSurfaces(*scene, after); !known) return known.problem();
   }
   auto simulation = simulationOf(take, *scene, threads);
   if (!simulation) return simulation.problem();
@@ -162,11 +166,11 @@ sim::Result<Continuation> continueFrom(const sim::TakeReader& take, std::size_t 
     return restored.problem();
   if (const sim::Status there = runTo(**simulation, **snapshot, keepGoing); !there) return there.problem();
   if (changed == nullptr) return Continuation{std::move(simulation).value(), std::move(scene).value(), false};
-  if (movesAlike(*changed, *scene)) return Continuation{std::move(simulation).value(), *changed, false};
-  auto other = simulationOf(take, *changed, threads);
+  if (movesAlike(after, *scene)) return Continuation{std::move(simulation).value(), std::move(after), false};
+  auto other = simulationOf(take, after, threads);
   if (!other) return other.problem();
   if (const sim::Status taken = (*other)->takeOver(**simulation); !taken) return taken.problem();
-  return Continuation{std::move(other).value(), *changed, true};
+  return Continuation{std::move(other).value(), std::move(after), true};
 }
 
 sim::Result<std::unique_ptr<sim::TakeWriter>> branchTake(const sim::TakeReader& take, std::size_t frame,

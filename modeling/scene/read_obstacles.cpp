@@ -25,4 +25,22 @@ sim::Status readObstacles(Scene& scene, const std::filesystem::path& folder,
   return sim::Done{};
 }
 
+sim::Status takeOverSurfaces(const Scene& from, Scene& scene) {
+  auto& colliders = scene.environment.colliders;
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    auto* obstacle = std::get_if<MeshObstacle>(&colliders[i].form);
+    if (obstacle == nullptr || obstacle->surface.mesh) continue;
+    for (const SceneCollider& other : from.environment.colliders) {
+      const auto* known = std::get_if<MeshObstacle>(&other.form);
+      if (known != nullptr && known->source() == obstacle->source()) obstacle->surface = known->surface;
+    }
+    if (!obstacle->surface.mesh) {
+      return sim::Problem{"environment.colliders[" + std::to_string(i) + "]",
+                          "an obstacle of another mesh cannot come into a run that goes on",
+                          "run the changed scene from the start"};
+    }
+  }
+  return sim::Done{};
+}
+
 }  // namespace modeling

@@ -16,4 +16,8 @@ inline constexpr std::size_t kMostObstacleTriangles = 100'000;
 sim::Status readObstacles(Scene& scene, const std::filesystem::path& folder,
                           std::vector<std::string>& remarks);
 
+/// Gives obstacles that only name their file the surfaces that obstacles of the same file have in another
+/// scene. A Problem where one has none there: its place is a path of the scene.
+sim::Status takeOverSurfaces(const Scene& from, Scene& scene);
+
 }  // namespace modeling

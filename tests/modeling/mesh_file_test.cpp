@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/scene/build.h"
+#include "modeling/scene/read_obstacles.h"
 #include "modeling/scene/scene_file.h"
 #include "tests/fuzz/text_cuts.h"
 #include "tests/sim/take_sample.h"
@@ -182,6 +183,14 @@ TEST_CASE("a scene takes a mesh as an obstacle with it, so that it is the same w
   CHECK(collider.mesh->volume() == Approx(480.0));
   CHECK(collider.halfThickness == 0.0);
   CHECK(built->scene == file->scene);
+
+  // A run that goes on by a scene that only names the file goes on with the surface it has.
+  modeling::Scene unread = file->scene;
+  REQUIRE(modeling::takeOverSurfaces(built->scene, unread).ok());
+  CHECK(std::get<modeling::MeshObstacle>(unread.environment.colliders[0].form).surface.mesh == collider.mesh);
+  std::get<modeling::MeshObstacle>(unread.environment.colliders[0].form) = {.file = "another.ply",
+                                                                            .surface = {}};
+  CHECK_FALSE(modeling::takeOverSurfaces(built->scene, unread).ok());
 
   scratch.reset();
   const auto again = modeling::parseScene(modeling::writeScene(built->scene), "written");

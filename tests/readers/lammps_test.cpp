@@ -128,14 +128,14 @@ TEST_CASE("what breaks on LAMMPS comes back broken, in fragments that keep their
 /// Hidden, because it takes minutes: test-readers "[large]".
 TEST_CASE("a hundred thousand nodes go to four ranks and come back as we have them", "[.][large]") {
   if (!haveLammps()) return;
-  const BothRuns runs({.size = "[12, 12, 4.4]",
+  const BothRuns runs({.size = "[13, 13, 4.6]",
                        .cellSize = 0.2,
                        .more = R"(, "lossFactor": 0.2, "threshold": {"mean": 0.3, "spread": 0.2})",
                        .step = 5e-6,
                        .duration = 0.002,
-                       .height = 3.2},
+                       .height = 3.45},
                       kFourRanks);
-  REQUIRE(runs.ours->network().nodeCount() > 80000);
+  REQUIRE(runs.ours->network().nodeCount() > 100000);
   CHECK(runs.ours->events()->empty());
   for (std::size_t frame = 1; frame < runs.ours->frameCount(); ++frame) {
     WARN("frame " << frame << ": apart by " << runs.apart(frame) << " of the way");

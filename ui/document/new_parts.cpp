@@ -1,6 +1,7 @@
 #include "ui/document/new_parts.h"
 
 #include <QCoreApplication>
+#include <filesystem>
 
 #include "modeling/shapes/measured_chain.h"
 #include "ui/document/new_scene.h"
@@ -358,14 +359,49 @@ std::optional<double> outsideRadiusAt(const modeling::RevolutionShape& shape, do
   return radius;
 }
 
+namespace {
+
+void needMaterial(Scene& scene) {
+  if (!scene.materials.empty()) return;
+  const Scene fresh = newScene();
+  if (scene.parts.empty() && scene.environment.colliders.empty())
+    scene.environment.colliders = fresh.environment.colliders;
+  scene.materials = fresh.materials;
+}
+
+/// Of the file without its ending.
+std::string nameOfFile(const std::string& file) {
+  const std::string stem = std::filesystem::path(file).stem().string();
+  return stem.empty() ? "mesh" : stem;
+}
+
+}  // namespace
+
+Item addMesh(Scene& scene, const std::string& file, const std::vector<Item>& selected) {
+  needMaterial(scene);
+  modeling::MeshShape shape;
+  shape.file = file;
+  Part part;
+  part.name = uniqueName(nameOfFile(file), namesOf(scene, ItemKind::part));
+  part.shape = std::move(shape);
+  part.material = materialFor(scene, selected);
+  scene.parts.push_back(std::move(part));
+  return {ItemKind::part, scene.parts.size() - 1};
+}
+
+Item addMeshObstacle(Scene& scene, const std::string& file) {
+  modeling::MeshObstacle obstacle;
+  obstacle.file = file;
+  modeling::SceneCollider collider;
+  collider.name = uniqueName(nameOfFile(file), namesOf(scene, ItemKind::collider));
+  collider.form = std::move(obstacle);
+  scene.environment.colliders.push_back(std::move(collider));
+  return {ItemKind::collider, scene.environment.colliders.size() - 1};
+}
+
 Item addThing(Scene& scene, const NewThing& thing, const std::vector<Item>& selected) {
   if (isCollider(thing)) return addCollider(scene, thing);
-  if (scene.materials.empty()) {
-    const Scene fresh = newScene();
-    if (scene.parts.empty() && scene.environment.colliders.empty())
-      scene.environment.colliders = fresh.environment.colliders;
-    scene.materials = fresh.materials;
-  }
+  needMaterial(scene);
   if (const std::optional<Item> item = addToBody(scene, thing, selected)) return *item;
   Part part;
   part.name = uniqueName(nameInScene(thing), namesOf(scene, ItemKind::part));

@@ -36,6 +36,11 @@ Item addThing(modeling::Scene& scene, const NewThing& thing, const std::vector<I
 /// Adds a network that is read from a file, with constants for each of its types of bonds.
 Item addNetwork(modeling::Scene& scene, const std::string& file, int bondTypes);
 
+/// Adds a mesh that is read from a file: filled with cells, of a material as of other parts, or as an
+/// obstacle. How its unit was taken is told when the scene is built.
+Item addMesh(modeling::Scene& scene, const std::string& file, const std::vector<Item>& selected);
+Item addMeshObstacle(modeling::Scene& scene, const std::string& file);
+
 /// Where an outside profile is farthest from the axis at height z, cm; nothing where it does not reach that
 /// height.
 std::optional<double> outsideRadiusAt(const modeling::RevolutionShape& shape, double z);

@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QRegularExpression>
 
+#include "modeling/exchange/mesh_file.h"
 #include "ui/panels/dish_picture.h"
 #include "ui/theme/theme.h"
 
@@ -47,6 +48,10 @@ void AddActions::fill(QMenu& menu) {
     if (!colliders && isCollider(thing)) {
       menu.addAction(Theme::icon(QStringLiteral("network")), tr("Network from a File…"), this,
                      &AddActions::addNetworkFile);
+      menu.addAction(Theme::icon(QStringLiteral("network")), tr("Mesh from a File…"), this,
+                     [this] { addMeshFile(false); });
+      menu.addAction(Theme::icon(QStringLiteral("network")), tr("Obstacle from a File…"), this,
+                     [this] { addMeshFile(true); });
       menu.addSeparator();
       colliders = true;
     }
@@ -88,6 +93,22 @@ void AddActions::addNetworkFile() {
                             "choose a file that says \"N bond types\" in its head"});
   const std::string path = storedPath(file, session_.document().folder());
   finish(tr("Add Network"), [&](modeling::Scene& scene) { return addNetwork(scene, path, types); });
+}
+
+void AddActions::addMeshFile(bool obstacle) {
+  QString endings;
+  for (const std::string& ending : modeling::meshFileEndings())
+    endings += " *" + QString::fromStdString(ending);
+  const QString file =
+      QFileDialog::getOpenFileName(window_, obstacle ? tr("Mesh to Collide With") : tr("Closed Mesh"),
+                                   QString::fromStdString(session_.document().folder().string()),
+                                   tr("Meshes (%1);;All files (*)").arg(endings.trimmed()));
+  if (file.isEmpty()) return;
+  const std::string path = storedPath(file, session_.document().folder());
+  const std::vector<Item> selected = session_.selection().items();
+  finish(obstacle ? tr("Add Obstacle") : tr("Add Mesh"), [&](modeling::Scene& scene) {
+    return obstacle ? addMeshObstacle(scene, path) : addMesh(scene, path, selected);
+  });
 }
 
 int bondTypesAnnounced(const QString& name) {

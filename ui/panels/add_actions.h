@@ -25,6 +25,8 @@ class AddActions : public QObject {
   void add(const NewThing& thing);
   /// Asks for the file of a network first.
   void addNetworkFile();
+  /// Asks for the file of a mesh first: a part, or an obstacle.
+  void addMeshFile(bool obstacle);
 
  signals:
   void added(const Item& item);

@@ -21,6 +21,7 @@ std::optional<sim::Problem> buildInto(const Request& request, Preview& preview) 
     sim::Result<modeling::BuiltScene> built = modeling::build(request.scene, request.folder);
     if (!built) return built.problem();
     preview.built = std::make_shared<const modeling::BuiltScene>(std::move(built).value());
+    preview.scene = preview.built->scene;  // obstacles can be drawn now
     preview.rest = std::make_shared<const sim::Snapshot>(sim::momentAtRest(preview.built->network));
     return std::nullopt;
   } catch (const std::bad_alloc&) {

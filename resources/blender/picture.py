@@ -1,0 +1,86 @@
+"""Draws a still of an export of Smithereens with Blender's Cycles: what the guide's picture was made by.
+
+  blender --background --factory-startup --python picture.py -- FILE FRAME OUT.png [SAMPLES]
+"""
+import importlib.util
+import pathlib
+import sys
+
+import bpy
+from mathutils import Vector
+
+here = pathlib.Path(__file__).parent
+spec = importlib.util.spec_from_file_location("import_smithereens", here / "import_smithereens.py")
+importer = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(importer)
+
+
+def things():
+    return [thing for thing in bpy.context.scene.objects if thing.type == "MESH" and thing.name != "ground"]
+
+
+def middle_of_most():
+    """Middle and radius of what is nearest together, so that a shard that flew off makes nothing small."""
+    graph = bpy.context.evaluated_depsgraph_get()
+    points = []
+    for thing in things():
+        evaluated = thing.evaluated_get(graph)
+        corners = [evaluated.matrix_world @ Vector(corner) for corner in evaluated.bound_box]
+        points += [(sum(corners, Vector()) / 8, thing.dimensions.length)]
+    weight = sum(size for _, size in points)
+    middle = sum((point * size for point, size in points), Vector()) / weight
+    reach = sorted((point - middle).length + size / 2 for point, size in points if size > 0.02)
+    return middle, reach[int(0.4 * (len(reach) - 1))]
+
+
+def add_light(location, size, power):
+    light = bpy.data.lights.new("light", "AREA")
+    light.size, light.energy = size, power
+    lamp = bpy.data.objects.new("light", light)
+    lamp.location = location
+    lamp.rotation_euler = (-Vector(location)).to_track_quat("-Z", "Y").to_euler()
+    bpy.context.collection.objects.link(lamp)
+
+
+def add_camera(middle, radius):
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.data.lens = 60
+    direction = Vector((0.45, -0.80, 0.42)).normalized()
+    camera.location = middle + direction * radius * 4.4
+    camera.rotation_euler = (-direction).to_track_quat("-Z", "Y").to_euler()
+    bpy.context.collection.objects.link(camera)
+    bpy.context.scene.camera = camera
+
+
+source, frame, out = sys.argv[sys.argv.index("--") + 1:][:3]
+samples = int((sys.argv[sys.argv.index("--") + 1:] + ["96"])[3])
+bpy.ops.wm.read_factory_settings(use_empty=True)
+importer.load(source)
+scene = bpy.context.scene
+scene.frame_set(int(frame))
+
+bpy.ops.mesh.primitive_plane_add(size=20)
+bpy.context.object.name = "ground"
+ground = bpy.data.materials.new("ground")
+ground.use_nodes = True
+ground.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0.16, 0.15, 0.14, 1)
+ground.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.6
+bpy.context.object.data.materials.append(ground)
+
+middle, radius = middle_of_most()
+add_camera(middle, radius)
+add_light((-0.7, -0.5, 0.9), 0.5, 40)
+add_light((0.9, 0.4, 0.5), 0.8, 8)
+world = bpy.data.worlds.new("world")
+world.use_nodes = True
+world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.45, 0.48, 0.54, 1)
+scene.world = world
+
+scene.render.engine = "CYCLES"
+scene.cycles.samples = samples
+scene.cycles.use_denoising = False
+scene.render.resolution_x, scene.render.resolution_y = 960, 600
+scene.view_settings.view_transform = "Filmic"
+scene.render.filepath = out
+bpy.ops.render.render(write_still=True)
+
