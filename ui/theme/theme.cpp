@@ -2,7 +2,7 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
 
 #include "ui/theme/icon_engine.h"
 #include "ui/theme/style_sheet.h"
@@ -87,6 +87,27 @@ QPalette paletteOf(const Colours& colours) {
   return palette;
 }
 
+/// Fusion, with the program's own signs in questions and warnings: those of Fusion are coloured pixels of
+/// another family.
+class Style : public QProxyStyle {
+ public:
+  Style() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override {
+    switch (which) {
+      case SP_MessageBoxQuestion:
+        return Theme::icon(QStringLiteral("question"));
+      case SP_MessageBoxInformation:
+        return Theme::icon(QStringLiteral("information"));
+      case SP_MessageBoxWarning:
+      case SP_MessageBoxCritical:
+        return Theme::icon(QStringLiteral("warning"));
+      default:
+        return QProxyStyle::standardIcon(which, option, widget);
+    }
+  }
+};
+
 }  // namespace
 
 Theme& Theme::instance() {
@@ -102,7 +123,7 @@ const Colours& Theme::colours() const {
 
 void Theme::apply(ThemeKind kind) {
   kind_ = kind;
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new Style);
   QFont font(QStringLiteral("Inter"));
   font.setPointSizeF(9.5);
   QApplication::setFont(font);
