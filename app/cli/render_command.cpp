@@ -1,10 +1,15 @@
 #include "app/cli/render_command.h"
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -13,10 +18,18 @@
 #include "app/cli/progress.h"
 #include "modeling/exchange/export.h"
 #include "ui/picture/take_pictures.h"
+#include "ui/picture/video.h"
 
 namespace app {
 
 namespace {
+
+/// What was drawn so far is written beside the picture this often, s, so that little is lost.
+constexpr double kKeepEvery = 60.0;
+/// Samples between two looks at the clock.
+constexpr int kSamplesAPass = 4;
+
+volatile std::sig_atomic_t interrupted = 0;
 
 struct RenderOptions {
   std::string take;
@@ -26,7 +39,18 @@ struct RenderOptions {
   std::string size = "1280x720";
   int samples = ui::PictureSettings{}.samples;
   bool sixteenBit = false;
-  sim::LooseNodes looseNodes = sim::LooseNodes::shards;
+  bool resume = false;
+  double framesPerSecond = 0.0;
+  ui::PictureChoices choices;
+
+  bool isSequence() const { return !frames.empty() || ui::isVideoPath(out); }
+  /// What pictures depend on but for the number of samples: more can be added to those that were kept.
+  std::string nameOf(std::size_t frame) const {
+    std::ostringstream name;
+    name << take << " frame " << frame << " " << size << " " << static_cast<int>(choices.looseNodes) << " "
+         << choices.shutter << " " << choices.aperture.value_or(-1.0);
+    return name.str();
+  }
 };
 
 sim::Status readSize(const std::string& text, ui::PictureSettings& settings) {
@@ -38,34 +62,102 @@ sim::Status readSize(const std::string& text, ui::PictureSettings& settings) {
 
 sim::Result<FrameRange> framesWanted(const RenderOptions& options, const sim::TakeReader& take) {
   if (!options.frames.empty()) return parseFrameRange(options.frames, take);
+  if (options.isSequence()) return FrameRange{0, take.frameCount() - 1};
   const std::size_t frame = options.time ? frameNearest(*options.time, take) : take.frameCount() - 1;
   return FrameRange{frame, frame};
 }
 
-sim::Status drawFrame(std::size_t frame, ui::TakePictures& pictures, ui::PictureSettings settings,
-                      const std::filesystem::path& path, ui::PngDepth depth) {
-  const auto scene = pictures.sceneOf(frame);
-  if (!scene) return scene.problem();
-  Progress progress("render frame " + std::to_string(frame));
-  settings.progress = [&](double share) {
-    progress.show(share);
-    return true;
-  };
-  const auto image = ui::renderPicture(*scene, settings);
-  if (!image) return image.problem();
-  return ui::writePng(path, *image, depth);
+/// Draws the frames of one command.
+class FrameDrawer {
+ public:
+  FrameDrawer(const RenderOptions& options, const ui::PictureSettings& settings, ui::TakePictures& pictures)
+      : options_(options), settings_(settings), pictures_(pictures) {}
+
+  sim::Status draw(std::size_t frame, const std::filesystem::path& path) {
+    if (options_.resume && std::filesystem::exists(path)) return sim::Done{};
+    const auto scene = pictures_.sceneOf(frame);
+    if (!scene) return scene.problem();
+    Progress progress("render frame " + std::to_string(frame));
+    settings_.progress = [&](double share) {
+      progress.show(share);
+      return interrupted == 0;
+    };
+    const auto run = ui::PictureRun::create(*scene, settings_);
+    if (!run) return run.problem();
+    const std::filesystem::path kept = path.string() + ".partial";
+    if (const auto status = goOn(**run, kept, frame); !status) return status;
+    if (const auto status = finish(**run, kept, frame); !status) return status;
+    const auto depth = options_.sixteenBit ? ui::PngDepth::sixteenBit : ui::PngDepth::eightBit;
+    if (auto status = ui::writePng(path, (*run)->image(), depth); !status) return status;
+    std::error_code nothingKept;
+    std::filesystem::remove(kept, nothingKept);
+    return sim::Done{};
+  }
+
+ private:
+  sim::Status goOn(ui::PictureRun& run, const std::filesystem::path& kept, std::size_t frame) const {
+    if (!options_.resume || !std::filesystem::exists(kept)) return sim::Done{};
+    std::ifstream in(kept, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    auto status = run.goOnFrom(std::as_bytes(std::span(bytes)), options_.nameOf(frame));
+    if (status) return status;
+    sim::Problem problem = status.problem();
+    problem.place = kept.string();
+    return problem;
+  }
+
+  sim::Status finish(ui::PictureRun& run, const std::filesystem::path& kept, std::size_t frame) const {
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point written = Clock::now();
+    while (run.samples() < settings_.samples) {
+      const bool goesOn = run.advanceTo(run.samples() + kSamplesAPass);
+      const double since = std::chrono::duration<double>(Clock::now() - written).count();
+      if (goesOn && since < kKeepEvery) continue;
+      const std::vector<std::byte> bytes = run.kept(options_.nameOf(frame));
+      std::ofstream out(kept, std::ios::binary | std::ios::trunc);
+      out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+      if (!out.flush()) return sim::Problem{kept.string(), "cannot be written", "see that there is room"};
+      if (!goesOn)
+        return sim::Problem{kept.string(), "the picture was interrupted", "--resume goes on with it"};
+      written = Clock::now();
+    }
+    return sim::Done{};
+  }
+
+  const RenderOptions& options_;
+  ui::PictureSettings settings_;
+  ui::TakePictures& pictures_;
+};
+
+/// Frames of a film are pictures in a folder beside it until it is made.
+sim::Status drawVideo(const RenderOptions& options, FrameDrawer& drawer, const FrameRange& range,
+                      double fps) {
+  const std::filesystem::path folder = options.out + ".frames";
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    return sim::Problem{folder.string(), "the folder cannot be made", "choose another place for --out"};
+  for (std::size_t frame = range.first; frame <= range.last; ++frame) {
+    const auto path = modeling::numberedPath(folder / "frame.png", frame);
+    if (auto status = drawer.draw(frame, path); !status) return status;
+  }
+  const ui::VideoRequest request{(folder / "frame.%04d.png").string(), range.first,
+                                 range.last - range.first + 1, fps, options.out};
+  if (auto status = ui::writeVideo(request); !status) return status;
+  std::filesystem::remove_all(folder, error);
+  return sim::Done{};
 }
 
-ExitStatus drawFrames(const RenderOptions& options, const ui::PictureSettings& settings,
-                      ui::TakePictures& pictures, const FrameRange& range) {
-  const auto depth = options.sixteenBit ? ui::PngDepth::sixteenBit : ui::PngDepth::eightBit;
+sim::Status drawFrames(const RenderOptions& options, const ui::PictureSettings& settings,
+                       ui::TakePictures& pictures, const FrameRange& range, double fps) {
+  FrameDrawer drawer(options, settings, pictures);
+  if (ui::isVideoPath(options.out)) return drawVideo(options, drawer, range, fps);
   for (std::size_t frame = range.first; frame <= range.last; ++frame) {
-    const auto path = options.frames.empty() ? std::filesystem::path(options.out)
-                                             : modeling::numberedPath(options.out, frame);
-    const auto drawn = drawFrame(frame, pictures, settings, path, depth);
-    if (!drawn) return complain(drawn.problem());
+    const auto path = options.isSequence() ? modeling::numberedPath(options.out, frame)
+                                           : std::filesystem::path(options.out);
+    if (auto status = drawer.draw(frame, path); !status) return status;
   }
-  return ExitStatus::done;
+  return sim::Done{};
 }
 
 ExitStatus render(const RenderOptions& options) {
@@ -77,10 +169,42 @@ ExitStatus render(const RenderOptions& options) {
   if (const auto some = needFrames(**take, options.take); !some) return complain(some.problem());
   const auto range = framesWanted(options, **take);
   if (!range) return complain(range.problem());
+  auto frames = ui::framesOf(**take);
+  if (!frames) return complain(frames.problem());
+  const double fps = options.framesPerSecond > 0.0 ? options.framesPerSecond : frames->framesPerSecond;
   const double aspect = static_cast<double>(settings.width) / std::max(1, settings.height);
-  auto pictures = ui::TakePictures::create(**take, range->first, range->last, aspect, options.looseNodes);
+  auto pictures =
+      ui::TakePictures::create(std::move(*frames), range->first, range->last, aspect, options.choices);
   if (!pictures) return complain(pictures.problem());
-  return drawFrames(options, settings, *pictures, *range);
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  const auto drawn = drawFrames(options, settings, *pictures, *range, fps);
+  if (drawn) return ExitStatus::done;
+  return complain(drawn.problem(), interrupted != 0 ? ExitStatus::failed : ExitStatus::wrongInput);
+}
+
+void addLooks(CLI::App& command, RenderOptions& options) {
+  static const std::map<std::string, sim::LooseNodes> kLooseNodes{
+      {"shards", sim::LooseNodes::shards},
+      {"tetrahedra", sim::LooseNodes::tetrahedra},
+      {"spheres", sim::LooseNodes::spheres},
+      {"given-to-neighbours", sim::LooseNodes::givenToNeighbours}};
+  command
+      .add_option(
+          "--loose-nodes", options.choices.looseNodes,
+          "How nodes are drawn that nothing holds any more: shards that fill what their cells filled, "
+          "tetrahedra, spheres, or not at all, their material given to the fragments beside them")
+      ->transform(CLI::CheckedTransformer(kLooseNodes))
+      ->default_str("shards");
+  command
+      .add_option("--shutter", options.choices.shutter,
+                  "Share of a frame's time that the shutter is open: what moves is blurred")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--aperture", options.choices.aperture,
+                  "Diameter of the lens, cm: what is not in focus is blurred (default: the scene's camera's)")
+      ->check(CLI::Range(0.0, 1e3));
 }
 
 }  // namespace
@@ -89,7 +213,10 @@ void addRenderCommand(CLI::App& program, ExitStatus& status) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program.add_subcommand("render", "Draw ray-traced pictures of a take's frames");
   command->add_option("take", options->take, "The take")->required();
-  command->add_option("--out", options->out, "PNG file; with --frames, FILE.0012.png for frame 12")
+  command
+      ->add_option("--out", options->out,
+                   "PNG file; with --frames, FILE.0012.png for frame 12; or a film of all frames by ffmpeg: "
+                   ".mp4, .mov, .webm, .gif, .webp, .apng")
       ->required();
   CLI::Option* time =
       command->add_option("--time", options->time, "The frame nearest to this time, s (default: the last)");
@@ -97,19 +224,14 @@ void addRenderCommand(CLI::App& program, ExitStatus& status) {
   command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
   command->add_option("--samples", options->samples, "Paths a pixel: more is smoother and slower")
       ->capture_default_str();
-  command->add_flag("--sixteen-bit", options->sixteenBit, "16 bit a channel instead of 8");
-  static const std::map<std::string, sim::LooseNodes> kLooseNodes{
-      {"shards", sim::LooseNodes::shards},
-      {"tetrahedra", sim::LooseNodes::tetrahedra},
-      {"spheres", sim::LooseNodes::spheres},
-      {"given-to-neighbours", sim::LooseNodes::givenToNeighbours}};
   command
-      ->add_option(
-          "--loose-nodes", options->looseNodes,
-          "How nodes are drawn that nothing holds any more: shards that fill what their cells filled, "
-          "tetrahedra, spheres, or not at all, their material given to the fragments beside them")
-      ->transform(CLI::CheckedTransformer(kLooseNodes))
-      ->default_str("shards");
+      ->add_option("--fps", options->framesPerSecond,
+                   "Frames a second that a film shows (default: as many as were recorded a second)")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--sixteen-bit", options->sixteenBit, "16 bit a channel instead of 8");
+  command->add_flag("--resume", options->resume,
+                    "Go on with what an interrupted command left: pictures that are there are kept");
+  addLooks(*command, *options);
   command->callback([options, &status] { status = render(*options); });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,11 +30,19 @@ const std::vector<std::string>& bondPatternNames();
 /// Colours are sRGB, each component in [0, 1], as a person picks them.
 using Colour = std::array<double, 3>;
 
-/// How a material looks. What breaking bares shows the inside colour and no glaze.
+/// What light does at a surface.
+enum class Finish : std::uint8_t {
+  glazed,  ///< a clear coat over the coloured body
+  matte,   ///< the coloured body alone
+  glass,   ///< clear throughout: what is not reflected is refracted, and coloured on its way
+};
+
+/// How a material looks. What breaking bares shows the inside colour and no glaze; of glass it is clear too.
 struct Look {
   Colour outside{0.85, 0.84, 0.80};
   Colour inside{0.93, 0.91, 0.87};
   double glaze = 0.5;  ///< strength of the glossy coat of the outside, 0 (matt) to 1
+  Finish finish = Finish::glazed;
 
   bool operator==(const Look&) const = default;
 };

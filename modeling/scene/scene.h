@@ -255,6 +255,8 @@ struct Camera {
   Vec3 position{60.0, -80.0, 50.0};  ///< cm
   Vec3 target = Vec3::Zero();        ///< cm
   double fieldOfView = 35.0;         ///< degrees, vertical
+  double aperture = 0.0;             ///< cm, of the lens; 0: a pinhole
+  std::optional<double> focus;       ///< cm from the eye; absent: as far as the target
 
   bool operator==(const Camera&) const = default;
 };

@@ -151,7 +151,8 @@ struct Fields<Look> {
     return std::tuple{
         field("outside", &Look::outside, "Colour, sRGB.").atLeast(0).atMost(1),
         field("inside", &Look::inside, "Colour that breaking bares, sRGB.").atLeast(0).atMost(1),
-        field("glaze", &Look::glaze, "Strength of the glossy coat.").atLeast(0).atMost(1)};
+        field("glaze", &Look::glaze, "Strength of the glossy coat.").atLeast(0).atMost(1),
+        field("finish", &Look::finish, "What light does at the surface; in pictures.")};
   }
 };
 
@@ -344,9 +345,14 @@ template <>
 struct Fields<Camera> {
   static constexpr auto list() {
     using T = Camera;
-    return std::tuple{field("position", &T::position, "Of the eye, cm.").required(),
-                      field("target", &T::target, "In the middle of the picture, cm.").required(),
-                      field("fieldOfView", &T::fieldOfView, "Vertical, degrees.").above(0).atMost(170)};
+    return std::tuple{
+        field("position", &T::position, "Of the eye, cm.").required(),
+        field("target", &T::target, "In the middle of the picture, cm.").required(),
+        field("fieldOfView", &T::fieldOfView, "Vertical, degrees.").above(0).atMost(170),
+        field("aperture", &T::aperture,
+              "Of the lens, cm across: what is not in focus is blurred; in pictures.")
+            .atLeast(0),
+        field("focus", &T::focus, "Distance that is sharp, cm; left out: that of the target.").above(0)};
   }
 };
 

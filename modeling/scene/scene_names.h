@@ -93,6 +93,12 @@ struct EnumNames<sim::ContactLength> : NameTable<EnumNames<sim::ContactLength>, 
 };
 
 template <>
+struct EnumNames<Finish> : NameTable<EnumNames<Finish>, Finish> {
+  static constexpr std::array<NameRow<Finish>, 3> kTable{
+      {{"glazed", Finish::glazed}, {"matte", Finish::matte}, {"glass", Finish::glass}}};
+};
+
+template <>
 struct EnumNames<sim::Method> {
   static std::vector<std::string> names() { return sim::methodNames(); }
   static std::optional<sim::Method> find(std::string_view name) { return sim::methodFromName(name); }

@@ -23,7 +23,7 @@ inline const std::string kFullScene = R"({
     "clay": {
       "pattern": "fig1", "youngsModulus": 1e8, "density": 1.9, "lossFactor": 0.1,
       "threshold": {"mean": 0.002, "spread": 0.25}, "plastic": {"yieldStrain": 0.01, "rate": 50},
-      "look": {"outside": [0.7, 0.3, 0.2], "inside": [0.8, 0.5, 0.4], "glaze": 0.1}, "source": "a test"
+      "look": {"outside": [0.7, 0.3, 0.2], "inside": [0.8, 0.5, 0.4], "glaze": 0.1, "finish": "matte"}, "source": "a test"
     },
     "glass": {"strength": 5e8},
     "tile": {"fractureToughness": 1e8}
@@ -76,7 +76,7 @@ inline const std::string kFullScene = R"({
              "contact": {"between": false, "self": true, "length": "sum", "stiffnessScale": 0.5, "dampingRatio": 0.2,
                          "friction": 0.1}},
   "output": {"fps": 30, "duration": 1.5},
-  "view": {"camera": {"position": [1, 2, 3], "target": [0, 0, 5], "fieldOfView": 40}, "hidden": ["cup"],
+  "view": {"camera": {"position": [1, 2, 3], "target": [0, 0, 5], "fieldOfView": 40, "aperture": 0.5, "focus": 12}, "hidden": ["cup"],
            "locked": ["floor", "cup"]}
 }
 )";

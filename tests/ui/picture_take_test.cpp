@@ -38,7 +38,7 @@ MemoryTake slidingBlock(const std::string& view) {
 
 TEST_CASE("a picture of a frame has the surface, the looks, and colliders where their tracks have them") {
   const MemoryTake take = slidingBlock("");
-  auto pictures = ui::TakePictures::create(take, 0, 2, 1.5);
+  auto pictures = ui::TakePictures::create(ui::framesOf(take).value(), 0, 2, 1.5);
   REQUIRE(pictures.ok());
   const auto scene = pictures->sceneOf(1);
   REQUIRE(scene.ok());
@@ -56,7 +56,7 @@ TEST_CASE("a picture of a frame has the surface, the looks, and colliders where 
 
 TEST_CASE("without a view, one camera sees all frames of a sequence") {
   const MemoryTake take = slidingBlock("");
-  auto pictures = ui::TakePictures::create(take, 0, 2, 1.5);
+  auto pictures = ui::TakePictures::create(ui::framesOf(take).value(), 0, 2, 1.5);
   REQUIRE(pictures.ok());
   const auto first = pictures->sceneOf(0).value();
   const auto last = pictures->sceneOf(2).value();
@@ -68,7 +68,7 @@ TEST_CASE("without a view, one camera sees all frames of a sequence") {
 TEST_CASE("the scene's view is the camera") {
   const MemoryTake take = slidingBlock(
       R"(, "view": {"camera": {"position": [9, -50, 20], "target": [1, 2, 3], "fieldOfView": 30}})");
-  auto pictures = ui::TakePictures::create(take, 1, 1, 1.5);
+  auto pictures = ui::TakePictures::create(ui::framesOf(take).value(), 1, 1, 1.5);
   REQUIRE(pictures.ok());
   const auto scene = pictures->sceneOf(1).value();
   CHECK(scene.camera.position == Vec3(9, -50, 20));
@@ -89,7 +89,7 @@ TEST_CASE("what is whole is framed whole, and far splinters do not make the pict
 TEST_CASE("a take whose scene cannot be read is refused in words") {
   const sim::Network network = tests::gridNetwork(1, 1, 1);
   const MemoryTake take(network, {sim::momentAtRest(network)}, "{\"smithereens\": 1, \"nam\": 3}");
-  CHECK_FALSE(ui::TakePictures::create(take, 0, 0, 1.0).ok());
+  CHECK_FALSE(ui::framesOf(take).ok());
 }
 
 }  // namespace

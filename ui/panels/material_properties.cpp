@@ -173,6 +173,8 @@ void addLook(PropertyForm& form) {
   fields.colour(&modeling::Look::outside, PropertyForm::tr("Outside"));
   fields.colour(&modeling::Look::inside, PropertyForm::tr("Where broken"));
   fields.number(&modeling::Look::glaze, PropertyForm::tr("Glaze"), Dimension::number, 0.05);
+  fields.choice(&modeling::Look::finish, PropertyForm::tr("In pictures"),
+                {PropertyForm::tr("Glazed"), PropertyForm::tr("Matte"), PropertyForm::tr("Glass")});
 }
 
 void addSample(PropertyForm& form) {

@@ -8,11 +8,13 @@ namespace ui {
 
 using Box = Eigen::AlignedBox3d;  ///< cm
 
-/// A pinhole that keeps the world's z upright.
+/// A lens that keeps the world's z upright.
 struct Camera {
   sim::Vec3 position{0.0, -100.0, 30.0};  ///< cm
   sim::Vec3 target = sim::Vec3::Zero();   ///< cm, in the middle of the picture
   double verticalFieldOfView = 0.5;       ///< radians, from the picture's bottom to its top
+  double aperture = 0.0;                  ///< cm, the lens's diameter; 0: a pinhole, all is sharp
+  double focus = 0.0;                     ///< cm, distance that is sharp; 0: that of the target
 };
 
 /// Where a picture is taken from when nobody says: from the front, a little to the right, from slightly

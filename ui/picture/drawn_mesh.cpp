@@ -1,6 +1,7 @@
 #include "ui/picture/drawn_mesh.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -40,9 +41,14 @@ Light tinted(const Light& colour, sim::FragmentId fragment) {
 
 DrawnLook drawnLook(const modeling::Look& look, bool inside, sim::FragmentId fragment) {
   DrawnLook drawn;
+  drawn.glass = look.finish == modeling::Finish::glass;
+  if (drawn.glass) {
+    drawn.colour = linearFromSrgb(look.outside);
+    return drawn;
+  }
   drawn.colour = tinted(linearFromSrgb(inside ? look.inside : look.outside), fragment);
   drawn.grainy = inside;
-  if (inside) return drawn;
+  if (inside || look.finish == modeling::Finish::matte) return drawn;
   const auto glaze = static_cast<float>(std::clamp(look.glaze, 0.0, 1.0));
   drawn.glaze = std::sqrt(glaze);
   drawn.roughness = 0.015F + 0.25F * (1.0F - glaze) * (1.0F - glaze) * (1.0F - glaze);
@@ -72,11 +78,12 @@ class LookTable {
 
 class SurfaceDrawer {
  public:
-  SurfaceDrawer(const PictureScene& scene, const sim::Vec3& middle, DrawnMesh& mesh)
-      : surface_(scene.surface),
+  SurfaceDrawer(const sim::SurfaceMesh& surface, const PictureScene& scene, const sim::Vec3& middle,
+                DrawnMesh& mesh)
+      : surface_(surface),
         middle_(middle),
-        curved_(scene.surface),
-        parts_(subdivision(scene.surface.faces.size())),
+        curved_(surface),
+        parts_(subdivision(surface.faces.size())),
         looks_(scene, mesh),
         mesh_(mesh) {}
 
@@ -145,15 +152,28 @@ class SurfaceDrawer {
   DrawnMesh& mesh_;
 };
 
+DrawnMesh drawnAt(const PictureScene& scene, const sim::SurfaceMesh& surface,
+                  const std::vector<sim::Collider>& colliders) {
+  DrawnMesh mesh;
+  const sim::Vec3 middle = scene.subject.center();
+  SurfaceDrawer drawer(surface, scene, middle, mesh);
+  for (std::size_t face = 0; face < surface.faces.size(); ++face) drawer.drawFace(face);
+  for (const sim::Collider& collider : colliders) {
+    if (collider.visible && collider.shape != sim::ColliderShape::floor) drawCollider(collider, middle, mesh);
+  }
+  return mesh;
+}
+
 }  // namespace
 
 DrawnMesh drawMesh(const PictureScene& scene) {
-  DrawnMesh mesh;
-  const sim::Vec3 middle = scene.subject.center();
-  SurfaceDrawer drawer(scene, middle, mesh);
-  for (std::size_t face = 0; face < scene.surface.faces.size(); ++face) drawer.drawFace(face);
-  for (const sim::Collider& collider : scene.colliders) {
-    if (collider.visible && collider.shape != sim::ColliderShape::floor) drawCollider(collider, middle, mesh);
+  DrawnMesh mesh = drawnAt(scene, scene.surface, scene.colliders);
+  if (!scene.endPoints.empty()) {
+    sim::SurfaceMesh end = scene.surface;
+    end.points = scene.endPoints;
+    end.normals = scene.endNormals;
+    mesh.endPositions = drawnAt(scene, end, scene.endColliders).positions;
+    assert(mesh.endPositions.size() == mesh.positions.size());
   }
   return mesh;
 }

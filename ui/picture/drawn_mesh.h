@@ -15,20 +15,30 @@ struct DrawnLook {
   float glaze = 0.0F;                    ///< share of the surface under the glossy coat
   float roughness = 0.3F;                ///< GGX alpha of the coat
   bool grainy = false;                   ///< broken: fine bumps that stick to the material
+  bool glass = false;                    ///< clear: `colour` is what passes through kGlassDepth
 };
+
+/// cm of glass that give it its look's colour: a thick-walled dish seen through both sides.
+inline constexpr float kGlassDepth = 3.0F;
+
+inline Light glassColour(const DrawnLook& look, float depth) {
+  return look.colour.pow(depth / kGlassDepth);
+}
 
 /// Everything a picture shows except floors, as quadrilaterals (a triangle repeats its last corner), relative
 /// to the middle of the subject.
 struct DrawnMesh {
   std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;     ///< one a position
-  std::vector<Vec3f> restPoints;  ///< one a position: what bumps stick to
+  std::vector<Vec3f> endPositions;  ///< when the shutter closes, one a position; empty: nothing moves
+  std::vector<Vec3f> normals;       ///< one a position
+  std::vector<Vec3f> restPoints;    ///< one a position: what bumps stick to
   std::vector<std::array<std::uint32_t, 4>> quads;
   std::vector<std::uint32_t> lookOfQuad;
   std::vector<DrawnLook> looks;
 };
 
-/// The surface, curved, in its tints, and the visible boxes, spheres and cylinders.
+/// The surface, curved, in its tints, and the visible boxes, spheres and cylinders. Where the scene tells how
+/// things move, endPositions are filled in.
 DrawnMesh drawMesh(const PictureScene& scene);
 
 /// Appends a visible collider that is no floor.

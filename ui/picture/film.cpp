@@ -91,7 +91,38 @@ void FilmPixel::add(const Exposure& sample) {
   count_ += 1.0F;
 }
 
+std::array<float, FilmPixel::kSums> FilmPixel::sums() const {
+  std::array<float, kSums> sums{};
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    sums[at] = mean.rest[i];
+    sums[3 + at] = mean.colour[i];
+    sums[6 + at] = mean.indirect[i];
+    sums[9 + at] = mean.point[i];
+    sums[12 + at] = mean.normal[i];
+  }
+  sums[15] = brightnessSum_;
+  sums[16] = squareSum_;
+  sums[17] = count_;
+  return sums;
+}
+
+void FilmPixel::setSums(const std::array<float, kSums>& sums) {
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    mean.rest[i] = sums[at];
+    mean.colour[i] = sums[3 + at];
+    mean.indirect[i] = sums[6 + at];
+    mean.point[i] = sums[9 + at];
+    mean.normal[i] = sums[12 + at];
+  }
+  brightnessSum_ = sums[15];
+  squareSum_ = sums[16];
+  count_ = sums[17];
+}
+
 void FilmPixel::finish() {
+  if (count_ <= 0.0F) return;
   mean.indirect = (mean.colour > 0.0F).select(mean.indirect / mean.colour.max(1e-12F), 0.0F);
   mean.rest /= count_;
   mean.colour /= count_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "ui/picture/linear.h"
@@ -22,8 +23,12 @@ struct Exposure {
 class FilmPixel {
  public:
   void add(const Exposure& sample);
-  /// Makes sums means.
+  /// Makes sums means; nothing becomes nothing.
   void finish();
+  /// The sums, before finish(), as numbers to be kept and set again.
+  static constexpr std::size_t kSums = 18;
+  std::array<float, kSums> sums() const;
+  void setSums(const std::array<float, kSums>& sums);
 
   Exposure mean;
   float variance = 0.0F;  ///< of the brightness of mean.indirect

@@ -12,17 +12,24 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// Reflectance of a glaze of refractive index 1.5 seen straight on.
+/// Refractive index of glaze and glass, and the reflectance that it gives straight on.
+constexpr float kIndex = 1.5F;
 constexpr float kStraightReflectance = 0.04F;
 
-/// Indirect light is cut here, so that no lucky path leaves a bright dot.
+/// Light that has been scattered is cut here, so that no lucky path leaves a bright dot.
 constexpr float kBrightestIndirect = 3.0F;
 
-/// What a second bounce finds of light that has bounced more often: a share of the dome's.
+/// After so many surfaces that scatter, what comes from more of them is taken for a share of the dome's
+/// light.
+constexpr int kMostScatterings = 3;
 constexpr float kAmbient = 0.28F;
+/// Surfaces of any kind: glass has two a pane.
+constexpr int kMostSurfaces = 16;
 
-/// Dimensions of a sample, so that each decision is spread on its own. 0 is the pixel's.
-enum Dimension : std::uint32_t { kFirstKey = 1, kFirstFill, kBounce, kSecondLight, kMirror, kMirrorLight };
+/// Dimensions of a sample, so that each decision is spread on its own. 0 to 2 are the camera's. Each surface
+/// of a path has kSurfaceDimensions from its own first on.
+enum Dimension : std::uint32_t { kKey = 3, kFill, kBounce, kMirror, kPaths };
+enum SurfaceDimension : std::uint32_t { kChoice, kDirection, kLight, kSurfaceDimensions };
 
 float fresnel(float cosine) {
   const float m = std::clamp(1.0F - cosine, 0.0F, 1.0F);
@@ -65,6 +72,25 @@ Vec3f grainyNormal(const SurfaceHit& hit) {
   return bumped.dot(hit.facing) > 0.0F ? bumped : hit.normal;
 }
 
+/// What Fresnel's and Snell's laws say of a ray that meets glass.
+struct Refraction {
+  float ratio;       ///< of the indices, before to behind
+  float in;          ///< cosine of the angle to the normal, before
+  float out = 0.0F;  ///< and behind; 0 where all is reflected
+  float reflectance = 1.0F;
+};
+
+Refraction refraction(const SurfaceHit& hit, const Vec3f& direction) {
+  Refraction at{hit.entering ? 1.0F / kIndex : kIndex, std::clamp(-direction.dot(hit.normal), 0.0F, 1.0F)};
+  const float outSquared = 1.0F - at.ratio * at.ratio * (1.0F - at.in * at.in);
+  if (outSquared <= 0.0F) return at;
+  at.out = std::sqrt(outSquared);
+  const float across = (at.ratio * at.in - at.out) / (at.ratio * at.in + at.out);
+  const float along = (at.in - at.ratio * at.out) / (at.in + at.ratio * at.out);
+  at.reflectance = 0.5F * (across * across + along * along);
+  return at;
+}
+
 }  // namespace
 
 struct PathTracer::Shading {
@@ -74,6 +100,19 @@ struct PathTracer::Shading {
   Light colour;
   float glaze = 0.0F;
   float roughness = 0.0F;
+};
+
+struct PathTracer::Path {
+  /// Where a path sees the room: what a camera sees, perhaps through glass, is the backdrop; mirrors show the
+  /// soft boxes; what was scattered has asked the soft boxes already.
+  enum class Sees { backdrop, room, dome };
+
+  Vec3f origin;
+  Vec3f direction;
+  float time = 0.0F;
+  Light share = Light::Ones();
+  Sees sees = Sees::dome;
+  std::uint32_t dimension = kPaths;
 };
 
 PathTracer::Shading PathTracer::shadingAt(const SurfaceHit& hit) const {
@@ -87,57 +126,103 @@ PathTracer::Shading PathTracer::shadingAt(const SurfaceHit& hit) const {
   return at;
 }
 
-Light PathTracer::lightFrom(const SoftBox& box, const Shading& at, const std::array<float, 2>& random) const {
+Light PathTracer::lightFrom(const SoftBox& box, const Shading& at, float time,
+                            const std::array<float, 2>& random) const {
   const Vec3f offset = box.pointAt(random) - at.point;
   const float distance = offset.norm();
   const Vec3f direction = offset / distance;
   const float falling = at.normal.dot(direction);
   const float leaving = -box.front.dot(direction);
   if (falling <= 0.0F || leaving <= 0.0F) return Light::Zero();
-  if (scene_.isBlocked(at.point, direction, distance)) return Light::Zero();
-  return box.radianceAt(random) * (falling * leaving * box.area / (kPi * distance * distance));
+  const Light through = scene_.transmitted(at.point, direction, distance, time);
+  return through * box.radianceAt(random) * (falling * leaving * box.area / (kPi * distance * distance));
 }
 
-Light PathTracer::secondary(const SurfaceHit& hit, const Vec3f& direction, const PixelSampler& sampler,
-                            std::uint32_t dimension) const {
-  const Shading at = shadingAt(hit);
-  if (hit.look == nullptr && floorShare(hit) <= 0.0F) return studio_.backdrop(direction);
-  // One of the two lights, chosen by the first number, which is then stretched to serve again.
-  std::array<float, 2> random = sampler.pair(dimension);
+/// One of the two lights, chosen by the first number, which is then stretched to serve again.
+Light PathTracer::oneLight(const Shading& at, float time, std::array<float, 2> random) const {
   constexpr float kKeyShare = 0.7F;
   const bool key = random[0] < kKeyShare;
   random[0] = key ? random[0] / kKeyShare : (random[0] - kKeyShare) / (1.0F - kKeyShare);
-  const Light direct =
-      lightFrom(studio_.lights[key ? 0 : 1], at, random) / (key ? kKeyShare : 1.0F - kKeyShare);
-  return faded(hit, direction, at.colour * (direct + kAmbient));
+  return lightFrom(studio_.lights[key ? 0 : 1], at, time, random) / (key ? kKeyShare : 1.0F - kKeyShare);
 }
 
-Light PathTracer::directLight(const Shading& at, const PixelSampler& sampler) const {
-  return lightFrom(studio_.lights[0], at, sampler.pair(kFirstKey)) +
-         lightFrom(studio_.lights[1], at, sampler.pair(kFirstFill));
+Light PathTracer::sky(const Path& path) const {
+  switch (path.sees) {
+    case Path::Sees::backdrop:
+      return studio_.backdrop(path.direction);
+    case Path::Sees::room:
+      return studio_.reflected(path.origin, path.direction);
+    case Path::Sees::dome:
+      break;
+  }
+  return studio_.dome(path.direction);
 }
 
-Light PathTracer::indirectLight(const Shading& at, const PixelSampler& sampler) const {
-  const Vec3f bounce = frameAround(at.normal) * cosineHemisphere(sampler.pair(kBounce));
-  if (at.facing.dot(bounce) <= 0.0F) return Light::Zero();
-  const auto hit = scene_.nearest(at.point, bounce);
-  const Light light = hit ? secondary(*hit, bounce, sampler, kSecondLight) : studio_.dome(bounce);
-  return light.min(kBrightestIndirect);
-}
-
-Light PathTracer::mirrored(const Shading& at, const Vec3f& direction, const PixelSampler& sampler) const {
+void PathTracer::mirror(const Shading& at, const std::array<float, 2>& random, Path& path) const {
   const Eigen::Matrix3f frame = frameAround(at.normal);
-  const Vec3f view = frame.transpose() * -direction;
-  const Vec3f half = frame * visibleGgxNormal(view, at.roughness, sampler.pair(kMirror));
-  Vec3f mirror = direction - 2.0F * direction.dot(half) * half;
+  const Vec3f view = frame.transpose() * -path.direction;
+  const Vec3f half = frame * visibleGgxNormal(view, at.roughness, random);
+  Vec3f mirrored = path.direction - 2.0F * path.direction.dot(half) * half;
   // Near the outline a shading normal can send the ray under the surface: let it graze instead.
-  if (const float depth = mirror.dot(at.facing); depth <= 0.0F)
-    mirror = (mirror + (0.01F - depth) * at.facing).normalized();
-  const float reflectance = fresnel(std::abs(direction.dot(half)));
-  const auto hit = scene_.nearest(at.point, mirror);
-  const Light seen =
-      hit ? secondary(*hit, mirror, sampler, kMirrorLight) : studio_.reflected(at.point, mirror);
-  return reflectance * seen;
+  if (const float depth = mirrored.dot(at.facing); depth <= 0.0F)
+    mirrored = (mirrored + (0.01F - depth) * at.facing).normalized();
+  path.share *= fresnel(std::abs(path.direction.dot(half)));
+  path.origin = at.point;
+  path.direction = mirrored;
+  path.sees = Path::Sees::room;
+}
+
+bool PathTracer::reflectAtGlass(const SurfaceHit& hit, Path& path) {
+  if (!hit.entering) path.share *= glassColour(*hit.look, hit.distance);
+  path.origin = hit.point;
+  path.direction = (path.direction - 2.0F * path.direction.dot(hit.normal) * hit.normal).normalized();
+  if (path.sees == Path::Sees::backdrop) path.sees = Path::Sees::room;
+  return path.direction.dot(hit.facing) > 0.0F;
+}
+
+bool PathTracer::refractAtGlass(const SurfaceHit& hit, Path& path) {
+  if (!hit.entering) path.share *= glassColour(*hit.look, hit.distance);
+  const Refraction at = refraction(hit, path.direction);
+  path.origin = hit.point;
+  path.direction = (at.ratio * path.direction + (at.ratio * at.in - at.out) * hit.normal).normalized();
+  return path.direction.dot(hit.facing) < 0.0F;
+}
+
+Light PathTracer::followed(Path path, const PixelSampler& sampler) const {
+  Light light = Light::Zero();
+  int scatterings = path.sees == Path::Sees::dome ? 1 : 0;
+  for (int surface = 0; surface < kMostSurfaces; ++surface, path.dimension += kSurfaceDimensions) {
+    const auto hit = scene_.nearest(path.origin, path.direction, path.time);
+    if (!hit) return light + path.share * sky(path);
+    float choice = sampler.pair(path.dimension + kChoice)[0];
+    if (hit->look == nullptr) {
+      // A floor fades into the backdrop.
+      const float there = floorShare(*hit);
+      if (choice >= there) return light + path.share * studio_.backdrop(path.direction);
+    } else if (hit->look->glass) {
+      const bool reflects = choice < refraction(*hit, path.direction).reflectance;
+      if (!(reflects ? reflectAtGlass(*hit, path) : refractAtGlass(*hit, path))) return light;
+      continue;
+    }
+    const Shading at = shadingAt(*hit);
+    const float mirrored = at.glaze * fresnel(std::abs(at.normal.dot(path.direction)));
+    // A weak reflection that is seldom chosen would be noise: after scattering it goes with the rest.
+    if (scatterings == 0 && choice < mirrored) {
+      const Vec3f before = path.direction;
+      const Light share = path.share;
+      mirror(at, sampler.pair(path.dimension + kDirection), path);
+      path.share = share * fresnel(std::abs(at.normal.dot(before))) * at.glaze / mirrored;
+      continue;
+    }
+    path.share *= at.colour;
+    light += path.share * oneLight(at, path.time, sampler.pair(path.dimension + kLight));
+    if (++scatterings > kMostScatterings) return light + kAmbient * path.share;
+    path.origin = at.point;
+    path.direction = frameAround(at.normal) * cosineHemisphere(sampler.pair(path.dimension + kDirection));
+    path.sees = Path::Sees::dome;
+    if (at.facing.dot(path.direction) <= 0.0F) return light;
+  }
+  return light;
 }
 
 float PathTracer::floorShare(const SurfaceHit& hit) const {
@@ -145,26 +230,46 @@ float PathTracer::floorShare(const SurfaceHit& hit) const {
   return 1.0F - smoothStep(studio_.fadeFrom, studio_.fadeTo, reach);
 }
 
-Light PathTracer::faded(const SurfaceHit& hit, const Vec3f& direction, const Light& light) const {
-  if (hit.look != nullptr) return light;
-  const Light backdrop = studio_.backdrop(direction);
-  return backdrop + floorShare(hit) * (light - backdrop);
-}
-
-Exposure PathTracer::expose(const Vec3f& origin, const Vec3f& direction, const PixelSampler& sampler) const {
+Exposure PathTracer::expose(const Vec3f& origin, const Vec3f& direction, float time,
+                            const PixelSampler& sampler) const {
   Exposure exposure;
-  const auto hit = scene_.nearest(origin, direction);
+  const auto hit = scene_.nearest(origin, direction, time);
   if (!hit || (hit->look == nullptr && floorShare(*hit) <= 0.0F)) {
     exposure.rest = studio_.backdrop(direction);
+    return exposure;
+  }
+  if (hit->look != nullptr && hit->look->glass) {
+    // Both ways: highlights are too bright to be left to chance.
+    const float reflectance = refraction(*hit, direction).reflectance;
+    Path path{origin, direction, time, Light::Constant(1.0F - reflectance), Path::Sees::backdrop};
+    if (refractAtGlass(*hit, path)) exposure.rest = followed(path, sampler);
+    path = {origin,
+            direction,
+            time,
+            Light::Constant(reflectance),
+            Path::Sees::backdrop,
+            kPaths + kMostSurfaces * kSurfaceDimensions};
+    if (reflectAtGlass(*hit, path)) exposure.rest += followed(path, sampler);
+    exposure.point = hit->point;
+    exposure.normal = hit->normal;
     return exposure;
   }
   const Shading at = shadingAt(*hit);
   const float share = hit->look == nullptr ? floorShare(*hit) : 1.0F;
   const float through = 1.0F - at.glaze * fresnel(std::abs(at.normal.dot(direction)));
   exposure.colour = share * through * at.colour;
-  exposure.indirect = indirectLight(at, sampler);
-  exposure.rest = exposure.colour * directLight(at, sampler);
-  if (at.glaze > 0.0F) exposure.rest += at.glaze * mirrored(at, direction, sampler);
+  const Vec3f bounce = frameAround(at.normal) * cosineHemisphere(sampler.pair(kBounce));
+  if (at.facing.dot(bounce) > 0.0F)
+    exposure.indirect = followed({at.point, bounce, time}, sampler).min(kBrightestIndirect);
+  exposure.rest = exposure.colour * (lightFrom(studio_.lights[0], at, time, sampler.pair(kKey)) +
+                                     lightFrom(studio_.lights[1], at, time, sampler.pair(kFill)));
+  if (at.glaze > 0.0F) {
+    Path path{origin, direction, time};
+    mirror(at, sampler.pair(kMirror), path);
+    // Its own numbers, apart from the scattered path's.
+    path.dimension += kMostSurfaces * kSurfaceDimensions;
+    exposure.rest += at.glaze * followed(path, sampler);
+  }
   if (share < 1.0F) exposure.rest += (1.0F - share) * studio_.backdrop(direction);
   exposure.point = hit->point;
   exposure.normal = at.normal;

@@ -7,27 +7,31 @@
 
 namespace ui {
 
-/// Light along rays: direct light from the soft boxes, one traced bounce of diffuse light, one mirror
-/// reflection on a glaze. Immutable: any thread may ask.
+/// Light along rays: at each surface direct light from the soft boxes, and one way on, chosen at random:
+/// scattered by the body, mirrored by its glaze, or through glass. Immutable: any thread may ask.
 class PathTracer {
  public:
   PathTracer(const TracedScene& scene, const Studio& studio) : scene_(scene), studio_(studio) {}
 
-  /// The light that arrives at `origin` from the unit `direction`, one sample of it.
-  Exposure expose(const Vec3f& origin, const Vec3f& direction, const PixelSampler& sampler) const;
+  /// The light that arrives at `origin` from the unit `direction`, one sample of it. `time` in [0, 1]:
+  /// between opening and closing of the shutter.
+  Exposure expose(const Vec3f& origin, const Vec3f& direction, float time, const PixelSampler& sampler) const;
 
  private:
   struct Shading;
+  struct Path;
 
   Shading shadingAt(const SurfaceHit& hit) const;
-  Light lightFrom(const SoftBox& box, const Shading& at, const std::array<float, 2>& random) const;
-  Light directLight(const Shading& at, const PixelSampler& sampler) const;
-  Light indirectLight(const Shading& at, const PixelSampler& sampler) const;
-  Light mirrored(const Shading& at, const Vec3f& direction, const PixelSampler& sampler) const;
-  Light secondary(const SurfaceHit& hit, const Vec3f& direction, const PixelSampler& sampler,
-                  std::uint32_t dimension) const;
-  /// Blends what was found on a floor into the backdrop, with distance from the subject.
-  Light faded(const SurfaceHit& hit, const Vec3f& direction, const Light& light) const;
+  Light lightFrom(const SoftBox& box, const Shading& at, float time,
+                  const std::array<float, 2>& random) const;
+  Light oneLight(const Shading& at, float time, std::array<float, 2> random) const;
+  /// The light that comes along a path from where it is.
+  Light followed(Path path, const PixelSampler& sampler) const;
+  /// Send the path on; false where it ends.
+  static bool reflectAtGlass(const SurfaceHit& hit, Path& path);
+  static bool refractAtGlass(const SurfaceHit& hit, Path& path);
+  void mirror(const Shading& at, const std::array<float, 2>& random, Path& path) const;
+  Light sky(const Path& path) const;
   float floorShare(const SurfaceHit& hit) const;
 
   const TracedScene& scene_;

@@ -30,12 +30,12 @@ sim::Vec3 middleOf(const std::vector<sim::Vec3>& positions) {
   return middle;
 }
 
-sim::Result<Box> boxOfFrames(const sim::TakeReader& take, std::size_t first, std::size_t last) {
+sim::Result<Box> boxOfFrames(const PictureFrames& frames, std::size_t first, std::size_t last) {
   Box box;
   const std::size_t looks = std::min(kFramesLookedAt, last - first + 1);
   for (std::size_t look = 0; look < looks; ++look) {
     const std::size_t index = looks == 1 ? first : first + look * (last - first) / (looks - 1);
-    const auto frame = take.frame(index);
+    const auto frame = frames.frame(index);
     if (!frame) return frame.problem();
     box.extend(boxOfMost(**frame));
   }
@@ -74,34 +74,59 @@ Box boxOfMost(const sim::Snapshot& moment) {
   return box.isEmpty() ? Box(sim::Vec3::Constant(-1.0), sim::Vec3::Constant(1.0)) : box;
 }
 
-TakePictures::TakePictures(const sim::TakeReader& take, modeling::Scene scene, sim::LooseNodes looseNodes)
-    : take_(&take), surfaceBuilder_(take.network(), looseNodes), scene_(std::move(scene)) {}
-
-sim::Result<TakePictures> TakePictures::create(const sim::TakeReader& take, std::size_t first,
-                                               std::size_t last, double aspect, sim::LooseNodes looseNodes) {
+sim::Result<PictureFrames> framesOf(const sim::TakeReader& take) {
   auto scene = modeling::sceneOf(take);
   if (!scene) return scene.problem();
-  const auto box = boxOfFrames(take, first, last);
+  PictureFrames frames;
+  // The take keeps it.
+  frames.network = std::shared_ptr<const sim::Network>(std::shared_ptr<void>(), &take.network());
+  frames.scene = std::move(*scene);
+  frames.framesPerSecond = take.header().framesPerSecond;
+  frames.frame = [&take](std::size_t frame) { return take.frame(frame); };
+  return frames;
+}
+
+TakePictures::TakePictures(PictureFrames frames, const PictureChoices& choices)
+    : frames_(std::move(frames)), choices_(choices), surfaceBuilder_(*frames_.network, choices.looseNodes) {}
+
+sim::Result<TakePictures> TakePictures::create(PictureFrames frames, std::size_t first, std::size_t last,
+                                               double aspect, const PictureChoices& choices) {
+  const auto box = boxOfFrames(frames, first, last);
   if (!box) return box.problem();
-  TakePictures pictures(take, std::move(*scene), looseNodes);
+  TakePictures pictures(std::move(frames), choices);
   pictures.subject_ = *box;
-  if (const auto& camera = pictures.scene_.view.camera) {
-    pictures.camera_ = {camera->position, camera->target, camera->fieldOfView * kRadiansPerDegree};
+  if (const auto& camera = pictures.frames_.scene.view.camera) {
+    pictures.camera_ = {camera->position, camera->target, camera->fieldOfView * kRadiansPerDegree,
+                        camera->aperture, camera->focus.value_or(0.0)};
   } else {
     pictures.camera_ = frameBox(*box, aspect);
   }
+  if (choices.aperture) pictures.camera_.aperture = *choices.aperture;
   return pictures;
 }
 
 sim::Result<PictureScene> TakePictures::sceneOf(std::size_t frame) {
-  const auto moment = take_->frame(frame);
-  if (!moment) return moment.problem();
+  const auto found = frames_.frame(frame);
+  if (!found) return found.problem();
+  const sim::Snapshot& moment = **found;
   PictureScene picture;
-  picture.surface = surfaceBuilder_.build(**moment);
-  picture.looks = modeling::looksOf(scene_, take_->network());
-  picture.colliders = modeling::collidersAt(scene_, (*moment)->time);
+  const sim::SurfaceTopology topology = surfaceBuilder_.topology(moment);
+  picture.surface = sim::placeSurface(topology, moment.positions);
+  picture.looks = modeling::looksOf(frames_.scene, *frames_.network);
+  picture.colliders = modeling::collidersAt(frames_.scene, moment.time);
   picture.camera = camera_;
   picture.subject = subject_;
+  if (choices_.shutter > 0.0) {
+    // Straight on from how it moves at the frame: what it hits meanwhile is in the next.
+    const double open = choices_.shutter / frames_.framesPerSecond;
+    std::vector<sim::Vec3> positions = moment.positions;
+    for (std::size_t node = 0; node < positions.size(); ++node)
+      positions[node] += open * moment.velocities[node];
+    picture.endPoints = sim::placePoints(topology, positions);
+    picture.endNormals = sim::placeNormals(topology, picture.endPoints);
+    picture.endColliders = modeling::collidersAt(frames_.scene, moment.time + open);
+    if (picture.endColliders.size() != picture.colliders.size()) picture.endColliders = picture.colliders;
+  }
   return picture;
 }
 

@@ -1,31 +1,52 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "modeling/scene/scene.h"
+#include "sim/network/surface_mesh.h"
 #include "sim/take/take.h"
 #include "ui/picture/picture.h"
 
 namespace ui {
 
-/// Sets up pictures of a take's frames: the surface, the materials' looks, colliders where their tracks have
-/// them, and the camera.
+/// Where pictures get their frames from.
+struct PictureFrames {
+  std::shared_ptr<const sim::Network> network;
+  modeling::Scene scene;
+  double framesPerSecond = 24.0;
+  std::function<sim::Result<sim::SnapshotPointer>(std::size_t)> frame;
+};
+
+/// Those of a take, which must be there as long as they are. A Problem when its scene cannot be read.
+sim::Result<PictureFrames> framesOf(const sim::TakeReader& take);
+
+/// What a take leaves open.
+struct PictureChoices {
+  sim::LooseNodes looseNodes = sim::LooseNodes::shards;
+  double shutter = 0.0;  ///< how long it is open, as a share of the time of a frame; 0: nothing is blurred
+  std::optional<double> aperture;  ///< cm; absent: the scene's camera's
+};
+
+/// Sets up pictures of frames: the surface, the materials' looks, colliders where their tracks have them, and
+/// the camera.
 class TakePictures {
  public:
   /// Pictures of frames [first, last], which all have one camera: the scene's view, or one that sees all of
-  /// them. Keeps a reference to the take. A Problem when its scene or a frame cannot be read.
-  static sim::Result<TakePictures> create(const sim::TakeReader& take, std::size_t first, std::size_t last,
-                                          double aspect,
-                                          sim::LooseNodes looseNodes = sim::LooseNodes::shards);
+  /// them. A Problem when a frame cannot be read.
+  static sim::Result<TakePictures> create(PictureFrames frames, std::size_t first, std::size_t last,
+                                          double aspect, const PictureChoices& choices = {});
 
   sim::Result<PictureScene> sceneOf(std::size_t frame);
 
  private:
-  TakePictures(const sim::TakeReader& take, modeling::Scene scene, sim::LooseNodes looseNodes);
+  TakePictures(PictureFrames frames, const PictureChoices& choices);
 
-  const sim::TakeReader* take_;
+  PictureFrames frames_;
+  PictureChoices choices_;
   sim::SurfaceBuilder surfaceBuilder_;
-  modeling::Scene scene_;
   Camera camera_;
   Box subject_;
 };

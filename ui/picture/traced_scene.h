@@ -18,6 +18,8 @@ struct SurfaceHit {
   Vec3f facing;  ///< unit geometric normal, towards where the ray came from
   Vec3f normal;  ///< unit shading normal, on the same side
   Vec3f restPoint = Vec3f::Zero();  ///< what bumps stick to
+  float distance = 0.0F;            ///< along the ray
+  bool entering = true;             ///< met from outside of its body
   const DrawnLook* look = nullptr;  ///< nothing for a floor
 };
 
@@ -36,17 +38,21 @@ class TracedScene {
   TracedScene(const TracedScene&) = delete;
   TracedScene& operator=(const TracedScene&) = delete;
 
-  std::optional<SurfaceHit> nearest(const Vec3f& origin, const Vec3f& direction) const;
-  /// Whether anything stands within `distance` along the unit direction.
-  bool isBlocked(const Vec3f& origin, const Vec3f& direction, float distance) const;
+  /// `time` in [0, 1]: from when the shutter opens to when it closes.
+  std::optional<SurfaceHit> nearest(const Vec3f& origin, const Vec3f& direction, float time) const;
+  /// What gets through to `distance` along the unit direction: nothing where anything stands there, but for
+  /// glass, which colours it.
+  Light transmitted(const Vec3f& origin, const Vec3f& direction, float distance, float time) const;
 
  private:
   TracedScene() = default;
+  bool isBlocked(const Vec3f& origin, const Vec3f& direction, float distance, float time) const;
   SurfaceHit meshHit(std::uint32_t quad, const std::array<float, 4>& weights, const Vec3f& point,
-                     const Vec3f& facing) const;
+                     const Vec3f& facing, float time) const;
 
   DrawnMesh mesh_;
   std::vector<Plane> floors_;
+  bool hasGlass_ = false;
   RTCDeviceTy* device_ = nullptr;
   RTCSceneTy* scene_ = nullptr;
 };

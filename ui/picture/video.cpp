@@ -1,0 +1,108 @@
+#include "ui/picture/video.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ui {
+
+namespace {
+
+struct Codec {
+  std::string_view ending;
+  std::vector<std::string> arguments;
+};
+
+const std::array<Codec, 6>& codecs() {
+  // What players want of mp4 has an even number of pixels a side.
+  static const std::vector<std::string> kPlayable{"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                                  "-c:v",      "libx264",
+                                                  "-crf",      "17",
+                                                  "-preset",   "slow",
+                                                  "-pix_fmt",  "yuv420p",
+                                                  "-movflags", "+faststart"};
+  // A palette of the film's own; without it a gradient shows the steps of a general one.
+  static const std::string kPalette =
+      "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=sierra2_4a";
+  static const std::array<Codec, 6> kCodecs{
+      {{".mp4", kPlayable},
+       {".mov", kPlayable},
+       {".webm", {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-pix_fmt", "yuv420p"}},
+       {".gif", {"-filter_complex", kPalette, "-loop", "0"}},
+       {".webp", {"-c:v", "libwebp_anim", "-quality", "80", "-compression_level", "6", "-loop", "0"}},
+       {".apng", {"-f", "apng", "-plays", "0"}}}};
+  return kCodecs;
+}
+
+const Codec* codecOf(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  const auto found = std::find_if(codecs().begin(), codecs().end(),
+                                  [&](const Codec& codec) { return codec.ending == ending; });
+  return found == codecs().end() ? nullptr : &*found;
+}
+
+std::vector<std::string> argumentsOf(const VideoRequest& request, const Codec& codec) {
+  std::vector<std::string> arguments{"ffmpeg",
+                                     "-nostdin",
+                                     "-y",
+                                     "-loglevel",
+                                     "error",
+                                     "-framerate",
+                                     std::to_string(request.framesPerSecond),
+                                     "-start_number",
+                                     std::to_string(request.first),
+                                     "-i",
+                                     request.pictures,
+                                     "-frames:v",
+                                     std::to_string(request.count)};
+  arguments.insert(arguments.end(), codec.arguments.begin(), codec.arguments.end());
+  // A name that begins with a hyphen is no option.
+  arguments.push_back("file:" + request.out.string());
+  return arguments;
+}
+
+/// Waits for the program; its exit status, or -1 where it could not be started.
+int run(const std::vector<std::string>& arguments) {
+  std::vector<char*> raw;
+  for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
+  raw.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawnp(&child, raw[0], nullptr, nullptr, raw.data(), environ) != 0) return -1;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return -1;
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+}  // namespace
+
+bool isVideoPath(const std::filesystem::path& path) {
+  return codecOf(path) != nullptr;
+}
+
+sim::Status writeVideo(const VideoRequest& request) {
+  const Codec* codec = codecOf(request.out);
+  if (codec == nullptr) {
+    return sim::Problem{request.out.string(), "no film has this ending",
+                        "end it in .mp4, .mov, .webm, .gif, .webp or .apng"};
+  }
+  const int status = run(argumentsOf(request, *codec));
+  if (status == 0) return sim::Done{};
+  // 127 is what a shell answers for a program that is not there, and some systems' posix_spawnp too.
+  if (status < 0 || status == 127) {
+    return sim::Problem{request.out.string(), "there is no ffmpeg to make a film with",
+                        "install ffmpeg, or write PNG files"};
+  }
+  return sim::Problem{request.out.string(), "ffmpeg could not make the film",
+                      "see what it says above; the pictures are " + request.pictures};
+}
+
+}  // namespace ui
