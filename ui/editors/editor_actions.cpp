@@ -7,6 +7,7 @@
 #include "ui/editors/glue_panel.h"
 #include "ui/editors/glue_tool.h"
 #include "ui/editors/points_tool.h"
+#include "ui/editors/render_dialog.h"
 #include "ui/editors/threshold_dialog.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport.h"
@@ -28,6 +29,11 @@ EditorActions::EditorActions(Session& session, Viewport& viewport, QObject* pare
                      QKeySequence(Qt::SHIFT | Qt::Key_G));
   tuneThreshold_ = makeAction(QStringLiteral("threshold"), tr("Tune Threshold…"),
                               tr("Find the threshold at which a material breaks well"), {});
+  render_ = makeAction(QStringLiteral("film"), tr("&Render…"),
+                       tr("Draw a ray-traced picture of what is shown, or a film of the take (Ctrl+R)"),
+                       QKeySequence(Qt::CTRL | Qt::Key_R));
+  connect(render_, &QAction::triggered, this,
+          [this] { (new RenderDialog(session_, viewport_, viewport_.window()))->show(); });
   editPoints_->setCheckable(true);
   glue_->setCheckable(true);
   connect(editPoints_, &QAction::triggered, this, &EditorActions::togglePoints);

@@ -11,7 +11,8 @@ namespace ui {
 class GlueEditing;
 class Viewport;
 
-/// What starts and ends the editors: points of the selected part (Tab), glue, and the tuning of thresholds.
+/// What starts and ends the editors: points of the selected part (Tab), glue, the tuning of thresholds, and
+/// ray-traced pictures.
 class EditorActions : public QObject {
   Q_OBJECT
 
@@ -21,6 +22,7 @@ class EditorActions : public QObject {
   QAction* editPoints() { return editPoints_; }
   QAction* glue() { return glue_; }
   QAction* tuneThreshold() { return tuneThreshold_; }
+  QAction* render() { return render_; }
   GlueEditing& glueEditing() { return *gluing_; }
 
   void openThresholdDialog(std::size_t material);
@@ -46,6 +48,7 @@ class EditorActions : public QObject {
   QAction* editPoints_ = nullptr;
   QAction* glue_ = nullptr;
   QAction* tuneThreshold_ = nullptr;
+  QAction* render_ = nullptr;
 };
 
 }  // namespace ui

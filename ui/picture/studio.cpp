@@ -8,11 +8,12 @@ namespace ui {
 namespace {
 
 /// The room in units of the subject's size (half its box's diagonal). The key is small enough for a crisp
-/// highlight on a glaze and large enough that shadows soften within a hand's breadth.
+/// highlight on a glaze and large enough that shadows soften within a hand's breadth. It is so bright that
+/// white porcelain stays below full white, and its highlights do not.
 constexpr float kKeyDistance = 4.2F;
-constexpr float kKeyHalfSize = 0.8F;
+constexpr float kKeyHalfSize = 0.55F;
 constexpr float kFillDistance = 4.5F;
-constexpr float kFillHalfWidth = 0.5F;
+constexpr float kFillHalfWidth = 0.28F;
 constexpr float kFillHalfHeight = 1.7F;
 constexpr float kFadeFrom = 2.5F;
 constexpr float kFadeTo = 14.0F;
@@ -38,14 +39,14 @@ Light SoftBox::radianceAt(float across, float up) const {
 }
 
 Light Studio::backdrop(const Vec3f& direction) const {
-  const Light low(0.150F, 0.139F, 0.129F);
-  const Light high(0.045F, 0.043F, 0.042F);
+  const Light low(0.112F, 0.106F, 0.102F);
+  const Light high(0.020F, 0.021F, 0.023F);
   return low + (high - low) * smoothStep(-0.25F, 0.5F, direction.z());
 }
 
 Light Studio::dome(const Vec3f& direction) const {
-  const Light low(0.20F, 0.19F, 0.18F);
-  const Light overhead(0.50F, 0.50F, 0.51F);
+  const Light low(0.12F, 0.115F, 0.11F);
+  const Light overhead(0.40F, 0.41F, 0.43F);
   return low + (overhead - low) * smoothStep(0.0F, 1.0F, direction.z());
 }
 
@@ -72,10 +73,10 @@ Studio arrangeStudio(const Camera& camera, const Box& subject) {
   const Vec3f up = Vec3f::UnitZ();
 
   Studio studio;
-  studio.lights[0] = aimedBox(-0.85F * right + 0.78F * up + 0.45F * towardsCamera, kKeyDistance * size,
-                              kKeyHalfSize * size, kKeyHalfSize * size, Light(4.30F, 4.17F, 3.92F));
+  studio.lights[0] = aimedBox(-0.78F * right + 0.80F * up + 0.66F * towardsCamera, kKeyDistance * size,
+                              kKeyHalfSize * size, kKeyHalfSize * size, Light(3.05F, 2.95F, 2.78F));
   studio.lights[1] = aimedBox(1.0F * right + 0.35F * up + 0.15F * towardsCamera, kFillDistance * size,
-                              kFillHalfWidth * size, kFillHalfHeight * size, Light(0.62F, 0.65F, 0.70F));
+                              kFillHalfWidth * size, kFillHalfHeight * size, Light(0.50F, 0.54F, 0.60F));
   studio.fadeFrom = kFadeFrom * size;
   studio.fadeTo = kFadeTo * size;
   return studio;

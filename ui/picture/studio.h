@@ -34,7 +34,7 @@ struct Studio {
   float fadeFrom = 0.0F;  ///< distance along the floor from the subject where it begins to turn to backdrop
   float fadeTo = 0.0F;
 
-  static constexpr float kFloorAlbedo[3] = {0.385F, 0.358F, 0.332F};
+  static constexpr float kFloorAlbedo[3] = {0.215F, 0.200F, 0.187F};
 
   /// What the camera sees where there is nothing.
   Light backdrop(const Vec3f& direction) const;

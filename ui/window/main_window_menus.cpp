@@ -31,6 +31,7 @@ void MainWindow::makeFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   files_->addTo(*menu);
   menu->addSeparator();
+  menu->addAction(editorActions_->render());
   menu->addAction(Theme::icon("grid"), tr("&Gallery"), this, &MainWindow::showGallery);
   menu->addSeparator();
   menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
