@@ -89,8 +89,10 @@ std::optional<ui::Image> pictureOf(const fs::path& file) {
   const auto take = sim::TakeReader::open(file);
   if (!take || (*take)->frameCount() == 0) return std::nullopt;
   const std::size_t last = (*take)->frameCount() - 1;
-  auto pictures =
-      ui::TakePictures::create(**take, last, last, static_cast<double>(kPictureWidth) / kPictureHeight);
+  auto frames = ui::framesOf(**take);
+  if (!frames) return std::nullopt;
+  auto pictures = ui::TakePictures::create(std::move(*frames), last, last,
+                                           static_cast<double>(kPictureWidth) / kPictureHeight);
   if (!pictures) return std::nullopt;
   const auto scene = pictures->sceneOf(last);
   if (!scene) return std::nullopt;
