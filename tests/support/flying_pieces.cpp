@@ -26,13 +26,18 @@ std::size_t pieceOf(sim::NodeIndex node, std::size_t pieces) {
   return node % layers / 2;
 }
 
-/// Folds the bar up into a block, so that a thousand pieces are no longer than single precision carries.
-/// What lies between the pieces is stretched, and breaks.
+/// Folds the bar up into a block, to and fro, so that a thousand pieces are no longer than single precision
+/// carries, and what breaks between two of them is small.
 Vec3 folded(const Vec3& corner) {
-  const auto piece = static_cast<double>(pieceAt(corner));
-  const double row = std::floor(piece / 10.0);
-  return {corner.x() + 2.0 * std::fmod(piece, 10.0), corner.y() + 2.0 * std::fmod(row, 10.0),
-          std::fmod(corner.z(), 2.0) + 2.0 * std::floor(row / 10.0)};
+  const std::size_t piece = pieceAt(corner);
+  const auto wound = [](std::size_t index, bool back) {
+    return static_cast<double>(back ? 9 - index : index);
+  };
+  const std::size_t row = piece / 10;
+  const std::size_t layer = row / 10;
+  return {corner.x() + 2.0 * wound(piece % 10, row % 2 == 1),
+          corner.y() + 2.0 * wound(row % 10, layer % 2 == 1),
+          std::fmod(corner.z(), 2.0) + 2.0 * static_cast<double>(layer)};
 }
 
 /// Where a piece is after `time` seconds: thrown, and spinning at up to a turn a second about any axis.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -23,10 +24,16 @@ inline std::map<sim::FragmentId, std::vector<sim::Vec3>> pointsByFragment(const 
 /// equal sets, infinite where one is empty.
 inline double apart(const std::vector<sim::Vec3>& left, const std::vector<sim::Vec3>& right) {
   double largest = 0.0;
-  const auto oneWay = [&largest](const auto& from, const auto& to) {
+  const auto byX = [](const sim::Vec3& a, const sim::Vec3& b) { return a.x() < b.x(); };
+  const auto oneWay = [&](const auto& from, auto to) {
+    std::sort(to.begin(), to.end(), byX);
     for (const sim::Vec3& point : from) {
       double nearest = INFINITY;
-      for (const sim::Vec3& other : to) nearest = std::min(nearest, (point - other).norm());
+      const auto middle = std::lower_bound(to.begin(), to.end(), point, byX);
+      for (auto other = middle; other != to.end() && other->x() - point.x() < nearest; ++other)
+        nearest = std::min(nearest, (point - *other).norm());
+      for (auto other = middle; other != to.begin() && point.x() - std::prev(other)->x() < nearest; --other)
+        nearest = std::min(nearest, (point - *std::prev(other)).norm());
       largest = std::max(largest, nearest);
     }
   };
