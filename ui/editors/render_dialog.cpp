@@ -93,6 +93,7 @@ RenderDialog::RenderDialog(Session& session, Viewport& viewport, QWidget* parent
   connect(&viewport_, &Viewport::cameraChanged, this, [this] {
     if (camera_->currentIndex() == kViewport) again_.start();
   });
+  connect(&session_, &Session::shownChanged, &again_, qOverload<>(&QTimer::start));
   connect(&session_.document(), &Document::replaced, this, &QDialog::reject);
   startPreview();
 }
@@ -157,6 +158,9 @@ QWidget* RenderDialog::makeButtons() {
   progress_ = new QProgressBar(box);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
+  QSizePolicy policy = progress_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(policy);
   render_ = new QPushButton(box);
   render_->setObjectName(QStringLiteral("render-start"));
   render_->setDefault(true);
