@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
@@ -76,6 +77,11 @@ int run(QApplication& application) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef SIGXFSZ
+  // A file that may grow no further is a problem to be told of, as a full disk is, not the end of the
+  // program.
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
   askForOpenGl();
   QApplication::setApplicationName(QStringLiteral("Smithereens"));
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));

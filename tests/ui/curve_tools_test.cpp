@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "ui/editors/bezier_edit.h"
 #include "ui/editors/editor_actions.h"
 #include "ui/editors/points_tool.h"
 #include "ui/viewport/viewport.h"
@@ -197,4 +198,56 @@ TEST_CASE("Cancelling a drag of points leaves the scene as it was", "[points]") 
   CHECK(fixture.tool().cancel(fixture.viewport));
   CHECK(fixture.session.document().scene() == before);
   CHECK_FALSE(fixture.session.document().undoStack().canUndo());
+}
+
+TEST_CASE("Ctrl and a click on a curve adds a point that leaves it as it is, Delete takes it away",
+          "[points]") {
+  modeling::CurvedCylinderShape shape = handle();
+  shape.halfWidth = {{0.3, 0.4, 0.5, 0.6}, {0.6, 0.6, 0.6, 0.6}};
+  Fixture fixture(shape);
+  fixture.actions.editPoints()->trigger();
+  const modeling::Scene before = fixture.session.document().scene();
+  const Vec3 middle = modeling::evaluate(shape.curve[0], 0.5);
+  const Vec3 seen = fixture.part().worldFromPart.worldFromPart() * middle;
+  const QPointF pixel = *fixture.viewport.project(seen);
+  REQUIRE(fixture.tool().press(fixture.viewport, {pixel, Qt::LeftButton, Qt::ControlModifier}));
+  const auto& cut = std::get<modeling::CurvedCylinderShape>(fixture.part().shape);
+  REQUIRE(cut.curve.size() == 3);
+  CHECK(cut.halfWidth.size() == 3);
+  CHECK(cut.halfDepth == shape.halfDepth);
+  CHECK(fixture.tool().selected() == std::set<std::size_t>{3});
+  for (const double t : {0.1, 0.4, 0.8}) {
+    const double split = 0.5;
+    const Vec3 expected = modeling::evaluate(shape.curve[0], t);
+    const Vec3 found = t < split ? modeling::evaluate(cut.curve[0], t / split)
+                                 : modeling::evaluate(cut.curve[1], (t - split) / (1.0 - split));
+    // The click is a pixel, not a number.
+    CHECK((expected - found).norm() < 0.1);
+  }
+  fixture.requireUndoable(before);
+  fixture.session.document().undoStack().redo();
+  REQUIRE(fixture.tool().key(fixture.viewport, Qt::Key_Delete, {}));
+  CHECK(std::get<modeling::CurvedCylinderShape>(fixture.part().shape).curve.size() == 2);
+  CHECK(std::get<modeling::CurvedCylinderShape>(fixture.part().shape).halfWidth.size() == 2);
+}
+
+TEST_CASE("Deleting points shortens a curve from its ends, and two of them stay", "[points]") {
+  modeling::PartShape shape = handle();
+  const auto curve = [&]() -> const modeling::CurveChain& {
+    return std::get<modeling::CurvedCylinderShape>(shape).curve;
+  };
+  CHECK_FALSE(removePoints(shape, {1, 2}));
+  REQUIRE(removePoints(shape, {0}));
+  CHECK(curve() == modeling::CurveChain{handle().curve[1]});
+  CHECK_FALSE(removePoints(shape, {0, 3}));
+  shape = handle();
+  REQUIRE(removePoints(shape, {6}));
+  CHECK(curve() == modeling::CurveChain{handle().curve[0]});
+  shape = handle();
+  REQUIRE(removePoints(shape, {3}));
+  REQUIRE(curve().size() == 1);
+  CHECK(curve()[0][0] == handle().curve[0][0]);
+  CHECK(curve()[0][1] == handle().curve[0][1]);
+  CHECK(curve()[0][2] == handle().curve[1][2]);
+  CHECK(curve()[0][3] == handle().curve[1][3]);
 }

@@ -3,11 +3,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <csignal>
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
 
 #include "modeling/scene/scene_file.h"
+#include "tests/ui/window_scenes.h"
 #include "ui/document/new_scene.h"
 #include "ui/files/autosave.h"
 #include "ui/viewport/viewport.h"
@@ -131,6 +134,62 @@ TEST_CASE("The window opens a scene, asks before it gives up changes, and saves 
   CHECK(session.document().scene() == scene);
   CHECK(window.isWindowModified());
   session.document().undoStack().redo();
+}
+
+/// A run of a small scene to its end, in a session that keeps its takes in `folder`.
+void makeTake(ui::Session& session) {
+  session.document().reset(tests::fallingSlab(), {});
+  session.simulate();
+  REQUIRE(tests::becomesTrue([&] { return session.run()->phase == ui::RunPhase::done; }));
+}
+
+TEST_CASE("Takes of a killed program come back with their names, even where no scene was written aside") {
+  const QTemporaryDir place;
+  const fs::path root = pathOf(place);
+  {
+    const fs::path folder = ui::Autosave::newFolder(root);
+    ui::Session session(folder);
+    ui::Autosave autosave(session, folder);
+    makeTake(session);
+    session.renameTake(0, "the good one");
+    leaveBehind(folder, root);
+  }
+  const bool sceneIsThere = GENERATE(true, false);
+  if (!sceneIsThere) fs::remove(root / "left-behind" / "autosave.scene.json");
+  const std::vector<ui::Leftover> leftovers = ui::Autosave::leftovers(root);
+  REQUIRE(leftovers.size() == 1);
+  CHECK(leftovers[0].scene == tests::fallingSlab());
+  ui::Session session(root / "next");
+  session.document().reset(leftovers[0].scene, {});
+  session.adoptTakes(leftovers[0].takes);
+  REQUIRE(session.takes().size() == 1);
+  CHECK(session.takes()[0].name == "the good one");
+  CHECK(session.takes()[0].footage->frameCount() == 11);
+  CHECK(session.takes()[0].own);
+}
+
+TEST_CASE("A run on a disk that is full waits and says so, and goes on when there is room") {
+  ::signal(SIGXFSZ, SIG_IGN);
+  tests::SessionFixture fixture;
+  ui::Session& session = fixture.session;
+  session.document().reset(tests::fallingSlab(), {});
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+  rlimit full = before;
+  full.rlim_cur = 6000;
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &full) == 0);
+  session.simulate();
+  const bool waits = tests::becomesTrue([&] { return session.run()->problem.has_value(); });
+  const bool paused = session.run()->phase == ui::RunPhase::paused;
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
+  REQUIRE(waits);
+  REQUIRE(paused);
+  session.pauseRun(false);
+  REQUIRE(tests::becomesTrue([&] { return session.run()->phase == ui::RunPhase::done; }));
+  const auto reader = sim::TakeReader::open(session.takes()[0].footage->file());
+  REQUIRE(reader);
+  CHECK((*reader)->frameCount() >= 11);
+  CHECK((*reader)->droppedBytes() == 0);
 }
 
 TEST_CASE("A file that is no scene is reported and changes nothing") {

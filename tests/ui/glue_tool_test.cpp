@@ -11,6 +11,7 @@
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "ui/editors/glue_panel.h"
+#include "ui/viewport/viewport.h"
 
 using namespace ui;
 using modeling::Vec3;
@@ -201,4 +202,33 @@ TEST_CASE("Parts that are glued already are not glued again, but edited", "[glue
   fixture.editing.begin();
   CHECK(fixture.editing.isExisting());
   CHECK(fixture.editing.gluing().reach == 0.4);
+}
+
+TEST_CASE("A box dragged round some lines keeps the glue to those, until it is wanted everywhere", "[glue]") {
+  modeling::Scene scene = twoSlabs(0.2);
+  scene.glue.push_back({"upper", "lower", 0.5, {}, {}, {}});
+  Fixture fixture(scene);
+  Viewport viewport(fixture.session);
+  viewport.resize(480, 360);
+  // From above: the first row of nodes is at the left.
+  viewport.camera().look(Vec3(0.0, 0.0, 0.6), 12.0, -1.5707963, 1.5);
+  fixture.editing.edit(0);
+  fixture.settle();
+  GlueTool tool(fixture.session, fixture.editing);
+  const QPointF first = *viewport.project(Vec3(-1.9, -2.1, 0.7));
+  const QPointF last = *viewport.project(Vec3(-0.9, 2.1, 0.7));
+  CHECK(tool.press(viewport, {first, Qt::LeftButton, {}}));
+  tool.move(viewport, {last, Qt::LeftButton, {}});
+  tool.release(viewport, {last, Qt::NoButton, {}});
+  fixture.settle();
+  REQUIRE(fixture.session.document().scene().glue[0].region);
+  CHECK(fixture.glued() == 4);
+  CHECK(fixture.editing.outcome()->links.size() == 4);
+  CHECK(fixture.find<QPushButton>("glue-everywhere").isVisible());
+  QTest::mouseClick(&fixture.find<QPushButton>("glue-everywhere"), Qt::LeftButton);
+  fixture.settle();
+  CHECK(fixture.glued() == 16);
+  fixture.session.document().undoStack().undo();
+  fixture.session.document().undoStack().undo();
+  CHECK(fixture.session.document().scene() == scene);
 }

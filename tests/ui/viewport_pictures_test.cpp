@@ -48,7 +48,7 @@ class Easel {
   }
 
   ui::PictureFrame frame() const {
-    return {camera_, kSize, 1.0, target_->handle(), ui::Theme::instance().colours(), {}, {}};
+    return {camera_, kSize, 1.0, target_->handle(), ui::Theme::instance().colours(), {}, {}, {}, {}};
   }
   ui::ViewportRenderer& renderer() { return *renderer_; }
   const ui::ViewCamera& camera() const { return camera_; }

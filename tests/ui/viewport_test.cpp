@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/ui/viewport_examples.h"
+#include "ui/document/scene_edits.h"
 #include "ui/viewport/transform_tool.h"
 #include "ui/viewport/view_actions.h"
 
@@ -89,6 +90,20 @@ TEST_CASE("A frame drawn around things selects those that are not locked, and wi
   CHECK(selection.items() == std::vector<ui::Item>{{ui::ItemKind::collider, 1}});
   drag(all.topLeft(), all.bottomRight(), Qt::ShiftModifier);
   CHECK(selection.items().size() == 2);
+}
+
+TEST_CASE("Clicks pass over what is locked") {
+  Stage stage;
+  const QPoint onBlock = stage.at({0.0, -2.0, 1.5});
+  const ui::Pick before = stage.viewport.pickAt(onBlock);
+  REQUIRE(before.item == ui::Item{ui::ItemKind::part, 0});
+  stage.session.document().edit("Lock", [](modeling::Scene& scene) {
+    ui::setLocked(scene, {ui::ItemKind::part, 0}, true);
+    ui::setLocked(scene, {ui::ItemKind::collider, 1}, true);
+  });
+  REQUIRE(becomesTrue([&] { return !stage.session.isBuilding() && stage.viewport.isUpToDate(); }));
+  CHECK(stage.viewport.pickAt(onBlock).item != before.item);
+  CHECK(stage.viewport.pickAt(stage.at({-6.0, 0.0, 1.5})).item != ui::Item{ui::ItemKind::collider, 1});
 }
 
 TEST_CASE("The pointer is told what it is over") {

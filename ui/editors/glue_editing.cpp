@@ -152,6 +152,11 @@ void GlueEditing::toggle(modeling::NodeIndex node) {
   });
 }
 
+void GlueEditing::setRegion(const std::optional<modeling::Box>& region) {
+  change(region ? tr("Glue in a box") : tr("Glue everywhere"),
+         [&](modeling::Gluing& gluing) { gluing.region = region; });
+}
+
 void GlueEditing::swap() {
   change(tr("Swap glued parts"), [](modeling::Gluing& gluing) {
     std::swap(gluing.a, gluing.b);

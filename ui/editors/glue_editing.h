@@ -46,6 +46,8 @@ class GlueEditing : public QObject {
   void reachNearest();
   /// Takes a link out, or puts one that was taken out back.
   void toggle(modeling::NodeIndex nodeOfA);
+  /// Glues only nodes of part A in this box, in its coordinates; all in reach without one.
+  void setRegion(const std::optional<modeling::Box>& region);
   /// Glues B to A instead.
   void swap();
   /// Puts a new gluing into the scene.

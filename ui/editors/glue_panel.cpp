@@ -91,6 +91,10 @@ QWidget* GluePanel::makeReach() {
   reach_->setToolTip(slider_->toolTip());
   counts_ = wrapping(box, QStringLiteral("glue-counts"));
   problem_ = wrapping(box, QStringLiteral("glue-problem"));
+  everywhere_ = new QPushButton(tr("Glue Everywhere in Reach"), box);
+  everywhere_->setObjectName(QStringLiteral("glue-everywhere"));
+  everywhere_->setToolTip(tr("Not only inside the green box"));
+  connect(everywhere_, &QPushButton::clicked, &editing_, [this] { editing_.setRegion(std::nullopt); });
   useNearest_ = new QPushButton(box);
   useNearest_->setObjectName(QStringLiteral("glue-use-nearest"));
   auto* row = new QHBoxLayout;
@@ -103,6 +107,7 @@ QWidget* GluePanel::makeReach() {
   column->addWidget(counts_);
   column->addWidget(problem_);
   column->addWidget(useNearest_);
+  column->addWidget(everywhere_);
   connect(slider_, &QSlider::valueChanged, this,
           [this](int step) { editing_.setReach(reachOf(step), !slider_->isSliderDown()); });
   connect(slider_, &QSlider::sliderReleased, this,
@@ -193,6 +198,7 @@ void GluePanel::follow() {
   problem_->setVisible(!problem.isEmpty());
   glue_->setEnabled(problem.isEmpty());
   const bool offers = editing_.outcome() && editing_.outcome()->nearest;
+  everywhere_->setVisible(gluing.region.has_value());
   useNearest_->setVisible(offers);
   if (offers)
     useNearest_->setText(

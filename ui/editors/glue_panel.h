@@ -40,6 +40,7 @@ class GluePanel : public QWidget {
   QLabel* counts_ = nullptr;
   QLabel* problem_ = nullptr;
   QPushButton* useNearest_ = nullptr;
+  QPushButton* everywhere_ = nullptr;
   QToolButton* swap_ = nullptr;
   QPushButton* glue_ = nullptr;
   QPushButton* remove_ = nullptr;

@@ -12,7 +12,9 @@ namespace {
 
 using modeling::Vec3;
 
-constexpr double kLinkDistance = 7.0;  ///< logical pixels
+constexpr double kLinkDistance = 7.0;   ///< logical pixels
+constexpr double kDragDistance = 4.0;   ///< likewise: less is a click
+constexpr double kRegionMargin = 0.01;  ///< cm: much less than between two nodes
 
 QString tr(const char* text) {
   return QCoreApplication::translate("glue tool", text);
@@ -43,7 +45,7 @@ QString GlueTool::hint() const {
     case GlueEditing::Stage::chooseB:
       return tr("Click the part to glue it to, such as a body; Esc ends");
     case GlueEditing::Stage::adjust:
-      return tr("Click a line to take it out or put it back; Esc ends");
+      return tr("Click a line to take it out or put it back; drag a box round those to keep; Esc ends");
     case GlueEditing::Stage::off:
       break;
   }
@@ -75,8 +77,11 @@ std::optional<modeling::NodeIndex> GlueTool::linkAt(const Viewport& viewport, co
 bool GlueTool::press(Viewport& viewport, const PointerEvent& event) {
   if (editing_.stage() == GlueEditing::Stage::adjust) {
     const auto node = linkAt(viewport, event.position);
-    if (!node) return false;
-    editing_.toggle(*node);
+    if (node) {
+      editing_.toggle(*node);
+    } else {
+      pressed_ = event.position;
+    }
     viewport.update();
     return true;
   }
@@ -87,6 +92,48 @@ bool GlueTool::press(Viewport& viewport, const PointerEvent& event) {
   hoveredPart_.clear();
   viewport.update();
   return true;
+}
+
+void GlueTool::move(Viewport& viewport, const PointerEvent& event) {
+  if (!pressed_) return;
+  if (!box_ && (event.position - *pressed_).manhattanLength() < kDragDistance) return;
+  box_ = QRectF(*pressed_, event.position);
+  viewport.update();
+}
+
+void GlueTool::release(Viewport& viewport, const PointerEvent&) {
+  pressed_.reset();
+  if (!box_) return;
+  if (const auto region = regionIn(viewport, box_->normalized())) editing_.setRegion(region);
+  box_.reset();
+  viewport.update();
+}
+
+bool GlueTool::cancel(Viewport& viewport) {
+  pressed_.reset();
+  if (!std::exchange(box_, std::nullopt)) return false;
+  viewport.update();
+  return true;
+}
+
+std::optional<modeling::Box> GlueTool::regionIn(const Viewport& viewport, const QRectF& box) const {
+  const auto& outcome = editing_.outcome();
+  const auto& parts = session_.document().scene().parts;
+  const auto part = std::find_if(parts.begin(), parts.end(),
+                                 [&](const modeling::Part& one) { return one.name == editing_.gluing().a; });
+  if (!outcome || part == parts.end()) return std::nullopt;
+  const Eigen::Affine3d partFromWorld = part->worldFromPart.worldFromPart().inverse();
+  Eigen::AlignedBox3d held;
+  for (const auto* links : {&outcome->links, &outcome->freed}) {
+    for (const GlueLink& link : *links) {
+      const auto there = viewport.project(link.atA);
+      if (there && box.contains(*there)) held.extend(partFromWorld * link.atA);
+    }
+  }
+  if (held.isEmpty()) return std::nullopt;
+  // Nodes on its faces are meant to be inside, whatever the last bit says.
+  const Vec3 margin = Vec3::Constant(kRegionMargin);
+  return modeling::Box{held.min() - margin, held.max() + margin};
 }
 
 void GlueTool::hover(Viewport& viewport, const PointerEvent& event) {
@@ -134,6 +181,18 @@ void GlueTool::drawRegion(Overlay& overlay) const {
   }
 }
 
+/// The overlay draws lines in space: this rectangle is one right before the eye.
+void GlueTool::drawDragged(const Viewport& viewport, Overlay& overlay) const {
+  const std::array<QPointF, 4> corners{box_->topLeft(), box_->topRight(), box_->bottomRight(),
+                                       box_->bottomLeft()};
+  const auto inSpace = [&](const QPointF& pixel) {
+    const Ray ray = viewport.rayThrough(pixel);
+    return Vec3(ray.origin + viewport.camera().distance() * ray.direction);
+  };
+  for (std::size_t i = 0; i < 4; ++i)
+    overlay.line(inSpace(corners[i]), inSpace(corners[(i + 1) % 4]), Theme::instance().colours().accent, 1.2);
+}
+
 void GlueTool::drawLinks(Overlay& overlay) const {
   const Colours& colours = Theme::instance().colours();
   const GlueOutcome& outcome = *editing_.outcome();
@@ -158,7 +217,8 @@ void GlueTool::drawLinks(Overlay& overlay) const {
                tr("nearest: %1 cm apart").arg(nearest.distance(), 0, 'g', 3), colours.bad);
 }
 
-void GlueTool::draw(const Viewport&, Overlay& overlay) {
+void GlueTool::draw(const Viewport& viewport, Overlay& overlay) {
+  if (box_) drawDragged(viewport, overlay);
   const Colours& colours = Theme::instance().colours();
   const auto stage = editing_.stage();
   if (stage == GlueEditing::Stage::chooseB) drawBox(editing_.gluing().a, colours.accent, overlay);

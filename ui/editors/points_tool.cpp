@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "ui/editors/bezier_edit.h"
 #include "ui/theme/theme.h"
 
 namespace ui {
@@ -45,9 +47,14 @@ QColor axisColour(Eigen::Index axis) {
 }  // namespace
 
 QString PointsTool::hint() const {
-  return tr(
-      "Drag points. X, Y, Z keep to an axis; Shift adds; A selects all; Alt moves one handle or end by "
-      "itself; Tab or Esc ends");
+  const modeling::Part* part = find();
+  const bool isCurve = part != nullptr && std::holds_alternative<modeling::CurvedCylinderShape>(part->shape);
+  if (isCurve && dragging_)
+    return tr("X, Y, Z keep to an axis; Alt moves one handle or end by itself; Esc undoes");
+  return isCurve ? tr("Drag points; Ctrl and a click on the curve adds one, Delete removes; Shift selects "
+                      "more, A all; "
+                      "Tab or Esc ends")
+                 : tr("Drag points; X, Y, Z keep to an axis; Shift selects more, A all; Tab or Esc ends");
 }
 
 const modeling::Part* PointsTool::find() const {
@@ -80,6 +87,12 @@ bool PointsTool::press(Viewport& viewport, const PointerEvent& event) {
   if (part == nullptr) return false;
   const bool adds = event.modifiers.testFlag(Qt::ShiftModifier);
   grabbed_ = pointAt(viewport, event.position);
+  if (const auto place = insertionAt(viewport, event)) {
+    grabbed_.reset();
+    insertAt(*place);
+    viewport.update();
+    return true;
+  }
   if (!grabbed_) {
     if (!adds) selected_.clear();
     viewport.update();
@@ -139,8 +152,71 @@ void PointsTool::release(Viewport& viewport, const PointerEvent&) {
 
 void PointsTool::hover(Viewport& viewport, const PointerEvent& event) {
   const auto before = hovered_;
+  const bool showed = insertion_.has_value();
   hovered_ = pointAt(viewport, event.position);
-  if (hovered_ != before) viewport.update();
+  insertion_.reset();
+  if (const auto place = insertionAt(viewport, event)) {
+    hovered_.reset();
+    const modeling::Part& part = *find();
+    const auto& shape = std::get<modeling::CurvedCylinderShape>(part.shape);
+    const auto& curve = place->rail ? shape.secondRail : shape.curve;
+    insertion_ = part.worldFromPart.worldFromPart() * modeling::evaluate(curve[place->segment], place->t);
+  }
+  if (hovered_ != before || showed || insertion_) viewport.update();
+}
+
+/// With Ctrl the curve is meant, though handles lie near; only its points are where no other can be.
+std::optional<CurvePoint> PointsTool::insertionAt(const Viewport& viewport, const PointerEvent& event) const {
+  if (!event.modifiers.testFlag(Qt::ControlModifier)) return std::nullopt;
+  if (const auto near = pointAt(viewport, event.position)) {
+    if (pointsOf(find()->shape)->points[*near].kind == ShapePointKind::point) return std::nullopt;
+  }
+  return curveAt(viewport, event.position);
+}
+
+std::optional<CurvePoint> PointsTool::curveAt(const Viewport& viewport, const QPointF& pixel) const {
+  const modeling::Part* part = find();
+  const auto* shape = part ? std::get_if<modeling::CurvedCylinderShape>(&part->shape) : nullptr;
+  if (shape == nullptr) return std::nullopt;
+  const Eigen::Affine3d worldFromPart = part->worldFromPart.worldFromPart();
+  const auto distanceTo = [&](const Vec3& point) {
+    const auto there = viewport.project(worldFromPart * point);
+    return there ? distance(*there, pixel) : std::numeric_limits<double>::max();
+  };
+  NearestPlace best = nearestPlace(shape->curve, distanceTo);
+  bool rail = false;
+  if (const NearestPlace other = nearestPlace(shape->secondRail, distanceTo);
+      other.distance < best.distance) {
+    best = other;
+    rail = true;
+  }
+  if (best.distance >= kGrabDistance) return std::nullopt;
+  return CurvePoint{best.segment, best.t, rail};
+}
+
+void PointsTool::edit(const QString& name, const modeling::PartShape& shape) {
+  const auto index = static_cast<std::size_t>(find() - session_.document().scene().parts.data());
+  session_.document().edit(name, [&](modeling::Scene& scene) { scene.parts[index].shape = shape; });
+}
+
+void PointsTool::insertAt(const CurvePoint& place) {
+  modeling::PartShape shape = find()->shape;
+  const auto& before = std::get<modeling::CurvedCylinderShape>(shape);
+  const std::size_t first = place.rail ? 3 * before.curve.size() + 1 : 0;
+  insertPoint(shape, place);
+  edit(tr("Insert point"), shape);
+  selected_ = {first + 3 * (place.segment + 1)};
+  insertion_.reset();
+}
+
+void PointsTool::removeSelected() {
+  const modeling::Part* part = find();
+  if (part == nullptr) return;
+  modeling::PartShape shape = part->shape;
+  if (!removePoints(shape, selected_)) return;
+  selected_.clear();
+  hovered_.reset();
+  edit(tr("Delete points"), shape);
 }
 
 bool PointsTool::cancel(Viewport& viewport) {
@@ -178,6 +254,8 @@ bool PointsTool::key(Viewport& viewport, int key, Qt::KeyboardModifiers modifier
     axis_ = axis_ == axis ? std::nullopt : std::optional(axis);
   } else if (key == Qt::Key_A) {
     selectAll();
+  } else if (key == Qt::Key_Delete) {
+    removeSelected();
   }
   viewport.update();
   return true;
@@ -197,6 +275,7 @@ void PointsTool::draw(const Viewport&, Overlay& overlay) {
     const Vec3 way = Vec3::Unit(*axis_) * kReach;
     overlay.line(grabbedAt_ - way, grabbedAt_ + way, axisColour(*axis_), 1.2);
   }
+  if (insertion_) overlay.point(*insertion_, colours.good, 9.0);
   for (std::size_t i = 0; i < shown.points.size(); ++i) {
     const ShapePoint& point = shown.points[i];
     const Vec3 at = worldFromPart * point.at;

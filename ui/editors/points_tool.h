@@ -13,6 +13,7 @@ namespace ui {
 
 /// Drags the control points of one part in the viewport: a patch's net, a curve's points, handles and section
 /// sizes. They move in the plane of the picture, or along an axis of the world after X, Y or Z was pressed.
+/// Ctrl and a click on a curve adds a point; Delete takes those away that are selected.
 class PointsTool : public Tool {
  public:
   PointsTool(Session& session, std::string part) : session_(session), part_(std::move(part)) {}
@@ -39,12 +40,19 @@ class PointsTool : public Tool {
   modeling::Vec3 target(const Viewport& viewport, const QPointF& pixel) const;
   void write(const modeling::Vec3& worldBy, bool free);
   void selectAll();
+  /// The place on a curve under a pixel.
+  std::optional<CurvePoint> curveAt(const Viewport& viewport, const QPointF& pixel) const;
+  std::optional<CurvePoint> insertionAt(const Viewport& viewport, const PointerEvent& event) const;
+  void insertAt(const CurvePoint& place);
+  void removeSelected();
+  void edit(const QString& name, const modeling::PartShape& shape);
 
   Session& session_;
   std::string part_;
   std::set<std::size_t> selected_;
   std::optional<std::size_t> hovered_;
-  std::optional<Eigen::Index> axis_;  ///< of the world, that dragging keeps to
+  std::optional<modeling::Vec3> insertion_;  ///< cm, world: where a click would add a point
+  std::optional<Eigen::Index> axis_;         ///< of the world, that dragging keeps to
 
   std::optional<std::size_t> grabbed_;
   bool dragging_ = false;

@@ -195,6 +195,27 @@ void moveIn(CurvedCylinderShape& shape, const std::set<std::size_t>& points, con
   if (onRail > 0) moveCurve(shape.secondRail, ofRail, by, free);
 }
 
+/// Takes the points that the curve passes through at these knots; two stay.
+template <class Point>
+void removeKnots(modeling::CubicChain<Point>& chain, const std::set<std::size_t>& knots) {
+  std::vector<Point> controls = controlsOf(chain);
+  for (auto knot = knots.rbegin(); knot != knots.rend() && controls.size() > 4; ++knot) {
+    const std::size_t last = controls.size() - 1;
+    const std::size_t first = *knot == 0 ? 0 : 3 * *knot == last ? last - 2 : 3 * *knot - 1;
+    const auto from = controls.begin() + static_cast<std::ptrdiff_t>(first);
+    controls.erase(from, from + 3);
+  }
+  chain = chainOf(controls);
+}
+
+/// Chains that go along with the curve segment by segment.
+template <class Change>
+void changeSizes(CurvedCylinderShape& shape, const Change& change) {
+  const std::size_t segments = shape.curve.size();
+  for (ValueChain* values : {&shape.halfWidth, &shape.halfDepth})
+    if (segments > 1 && values->size() == segments) change(*values);
+}
+
 }  // namespace
 
 bool hasPoints(const modeling::PartShape& shape) {
@@ -206,6 +227,35 @@ std::optional<ShapePoints> pointsOf(const modeling::PartShape& shape) {
   if (const auto* patch = std::get_if<BezierPatchShape>(&shape)) return shownOf(*patch);
   if (const auto* cylinder = std::get_if<CurvedCylinderShape>(&shape)) return shownOf(*cylinder);
   return std::nullopt;
+}
+
+void insertPoint(modeling::PartShape& shape, const CurvePoint& place) {
+  auto* cylinder = std::get_if<CurvedCylinderShape>(&shape);
+  if (cylinder == nullptr) return;
+  CurveChain& curve = place.rail ? cylinder->secondRail : cylinder->curve;
+  if (place.segment >= curve.size()) return;
+  if (!place.rail)
+    changeSizes(*cylinder, [&](ValueChain& values) { splitAt(values, place.segment, place.t); });
+  splitAt(curve, place.segment, place.t);
+}
+
+bool removePoints(modeling::PartShape& shape, const std::set<std::size_t>& points) {
+  auto* cylinder = std::get_if<CurvedCylinderShape>(&shape);
+  if (cylinder == nullptr) return false;
+  const std::size_t onCurve = 3 * cylinder->curve.size() + 1;
+  const std::size_t onRail = cylinder->secondRail.empty() ? 0 : 3 * cylinder->secondRail.size() + 1;
+  std::set<std::size_t> ofCurve;
+  std::set<std::size_t> ofRail;
+  for (const std::size_t point : points) {
+    if (point < onCurve && point % 3 == 0) ofCurve.insert(point / 3);
+    if (point >= onCurve && point < onCurve + onRail && (point - onCurve) % 3 == 0)
+      ofRail.insert((point - onCurve) / 3);
+  }
+  const modeling::PartShape before = shape;
+  changeSizes(*cylinder, [&](ValueChain& values) { removeKnots(values, ofCurve); });
+  removeKnots(cylinder->curve, ofCurve);
+  if (onRail > 0) removeKnots(cylinder->secondRail, ofRail);
+  return shape != before;
 }
 
 void movePoints(modeling::PartShape& shape, const std::set<std::size_t>& points, const Vec3& by, bool free) {

@@ -45,4 +45,18 @@ bool hasPoints(const modeling::PartShape& shape);
 void movePoints(modeling::PartShape& shape, const std::set<std::size_t>& points, const modeling::Vec3& by,
                 bool free = false);
 
+/// A place on a curve of a shape.
+struct CurvePoint {
+  std::size_t segment = 0;
+  double t = 0.0;     ///< 0 to 1 in the segment
+  bool rail = false;  ///< of the second rail
+};
+
+/// Adds a point there; the curve stays as it is. Sizes that are given segment by segment get one there, too.
+void insertPoint(modeling::PartShape& shape, const CurvePoint& place);
+
+/// Takes points of curves away, with their handles, as far as a curve keeps two of them. Control points of a
+/// patch, handles and sizes stay. False where nothing could be taken.
+bool removePoints(modeling::PartShape& shape, const std::set<std::size_t>& points);
+
 }  // namespace ui

@@ -2,12 +2,13 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFileInfo>
 #include <QJsonDocument>
-#include <QJsonObject>
 #include <QUuid>
 #include <algorithm>
 #include <chrono>
 
+#include "modeling/exchange/take_scene.h"
 #include "modeling/scene/scene_file.h"
 #include "modeling/scene/text_file.h"
 
@@ -26,29 +27,47 @@ QString text(const fs::path& path) {
   return QString::fromStdString(path.string());
 }
 
-std::vector<fs::path> takesIn(const fs::path& folder) {
-  std::vector<fs::path> takes;
+/// In the order they were made in; their names are known by the state.
+std::vector<LeftTake> takesIn(const fs::path& folder, const QJsonObject& names) {
+  std::vector<LeftTake> takes;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".take") takes.push_back(entry.path());
+    if (entry.path().extension() != ".take") continue;
+    const QJsonObject known = names[text(entry.path().filename())].toObject();
+    takes.push_back({entry.path(), known["name"].toString(), known["note"].toString()});
   }
-  std::sort(takes.begin(), takes.end());
+  std::sort(takes.begin(), takes.end(),
+            [](const LeftTake& left, const LeftTake& right) { return left.file < right.file; });
   return takes;
+}
+
+/// The scene that was written aside; where that was not reached, that of the newest take that has one.
+std::optional<modeling::Scene> sceneIn(const fs::path& folder, const std::vector<LeftTake>& takes) {
+  if (sim::Result<modeling::SceneFile> scene = modeling::loadScene(folder / kScene)) return scene->scene;
+  for (auto take = takes.rbegin(); take != takes.rend(); ++take) {
+    const auto reader = sim::TakeReader::open(take->file);
+    if (!reader) continue;
+    if (sim::Result<modeling::Scene> scene = modeling::sceneOf(**reader)) return std::move(scene).value();
+  }
+  return std::nullopt;
 }
 
 std::optional<Leftover> leftoverIn(const fs::path& folder) {
   Leftover leftover;
   leftover.folder = folder;
-  leftover.takes = takesIn(folder);
-  const auto state = modeling::readTextFile(folder / kState, std::uintmax_t{1} << 20U);
-  if (state) {
+  QJsonObject names;
+  if (const auto state = modeling::readTextFile(folder / kState, std::uintmax_t{1} << 20U)) {
     const QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(*state)).object();
     leftover.file = object["file"].toString().toStdString();
     leftover.when = QDateTime::fromString(object["when"].toString(), Qt::ISODate);
+    names = object["takes"].toObject();
+  } else {
+    leftover.when = QFileInfo(text(folder)).lastModified();
   }
-  sim::Result<modeling::SceneFile> scene = modeling::loadScene(folder / kScene);
+  leftover.takes = takesIn(folder, names);
+  std::optional<modeling::Scene> scene = sceneIn(folder, leftover.takes);
   if (!scene) return std::nullopt;
-  leftover.scene = std::move(scene->scene);
+  leftover.scene = std::move(*scene);
   return leftover;
 }
 
@@ -77,6 +96,7 @@ Autosave::Autosave(Session& session, fs::path folder)
   connect(&session_, &Session::runChanged, this, [this] {
     if (!session_.hasRun()) write();
   });
+  connect(&session_, &Session::takesChanged, this, &Autosave::write);
 }
 
 Autosave::~Autosave() {
@@ -85,18 +105,29 @@ Autosave::~Autosave() {
   fs::remove_all(folder_, error);
 }
 
+QJsonObject Autosave::state() const {
+  QJsonObject takes;
+  for (const Take& take : session_.takes()) {
+    if (take.footage->file().parent_path() != folder_) continue;
+    takes[text(take.footage->file().filename())] = QJsonObject{{"name", take.name}, {"note", take.note}};
+  }
+  return {{"file", text(session_.document().file())}, {"takes", takes}};
+}
+
 void Autosave::write() {
   const Document& document = session_.document();
-  const bool worthKeeping = document.isModified() || !takesIn(folder_).empty();
-  if (!worthKeeping || document.scene().parts.empty() || written_ == document.scene()) return;
+  QJsonObject state = this->state();
+  const bool worthKeeping = document.isModified() || !state["takes"].toObject().isEmpty();
+  if (!worthKeeping || document.scene().parts.empty()) return;
+  if (written_ == document.scene() && writtenState_ == state) return;
   const sim::Status saved = modeling::saveScene(document.scene(), folder_ / kScene);
-  QJsonObject state;
-  state["file"] = text(document.file());
+  const QJsonObject now = state;
   state["when"] = QDateTime::currentDateTime().toString(Qt::ISODate);
   const std::string json = QJsonDocument(state).toJson().toStdString();
   const sim::Status noted = modeling::replaceTextFile(folder_ / kState, json);
   if (saved && noted) {
     written_ = document.scene();
+    writtenState_ = now;
   } else {
     session_.report(saved ? noted.problem() : saved.problem());
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDateTime>
+#include <QJsonObject>
 #include <QLockFile>
 #include <QObject>
 #include <QTimer>
@@ -17,13 +18,13 @@ struct Leftover {
   std::filesystem::path folder;  ///< of the autosave
   modeling::Scene scene;
   std::filesystem::path file;  ///< where the scene had been saved; empty: nowhere
-  std::vector<std::filesystem::path> takes;
+  std::vector<LeftTake> takes;
   QDateTime when;
 };
 
-/// Writes the scene aside every two minutes, after each run and shortly after an edit, so that what was done
-/// is there again after a crash. Each running program has a folder of its own, which is removed when it ends
-/// well.
+/// Writes the scene aside every two minutes, when a run begins and ends and shortly after an edit, so that
+/// what was done is there again after a crash. Each running program has a folder of its own, which is removed
+/// when it ends well.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -48,12 +49,15 @@ class Autosave : public QObject {
   static void discard(const Leftover& leftover);
 
  private:
+  QJsonObject state() const;
+
   Session& session_;
   std::filesystem::path folder_;
   QLockFile lock_;
   QTimer regular_;
   QTimer afterEdit_;
   modeling::Scene written_;
+  QJsonObject writtenState_;
 };
 
 }  // namespace ui

@@ -192,15 +192,25 @@ sim::Status LiveRun::writeFrame(const sim::Snapshot& moment) {
 void LiveRun::setPaused(bool paused) {
   if (phase_ != RunPhase::running && phase_ != RunPhase::paused) return;
   pauseAtFrame_ = false;
-  if (!paused) problem_.reset();
+  if (!paused && unwritten_ && !retry()) return;
   phase_ = paused ? RunPhase::paused : RunPhase::running;
   restartClock();
   look();
 }
 
+/// The frame that could not be written is written now, before time goes on.
+bool LiveRun::retry() {
+  problem_.reset();
+  unwritten_ = false;
+  const sim::Status recorded = recordFrame();
+  if (!recorded) pauseBecause(recorded.problem());
+  return recorded.ok();
+}
+
 /// Where frames cannot be written, nothing is lost by waiting: the run goes on when the person says so.
 void LiveRun::pauseBecause(const sim::Problem& problem) {
   setPaused(true);
+  unwritten_ = true;
   problem_ = problem;
 }
 
@@ -211,7 +221,7 @@ void LiveRun::setPausedAtFrame() {
 }
 
 void LiveRun::stepOnce() {
-  if (phase_ != RunPhase::paused) return;
+  if (phase_ != RunPhase::paused || (unwritten_ && !retry())) return;
   const double frame = sim::nextFrameTime(simulation_->time(), simulation_->step(), plan_.scene.output.fps);
   if (const sim::Status status = simulation_->stepOnce(); !status) {
     fail(status.problem());
@@ -223,7 +233,9 @@ void LiveRun::stepOnce() {
 }
 
 void LiveRun::stop() {
-  if (phase_ == RunPhase::running || phase_ == RunPhase::paused) finish("stopped");
+  if (phase_ != RunPhase::running && phase_ != RunPhase::paused) return;
+  if (unwritten_) retry();
+  finish("stopped");
 }
 
 void LiveRun::finish(const std::string& outcome) {

@@ -55,6 +55,7 @@ class LiveRun {
   sim::Status writeFrame(const sim::Snapshot& moment);
   sim::Status writeScene();
   void pauseBecause(const sim::Problem& problem);
+  bool retry();
   void finish(const std::string& outcome);
   void replan(std::vector<Performed> performed);
   void restartPace();
@@ -77,6 +78,7 @@ class LiveRun {
   std::vector<Performed> performed_;
   std::vector<std::string> notes_;
   std::optional<sim::Problem> problem_;
+  bool unwritten_ = false;  ///< the frame of this very moment could not be recorded
 
   Clock::time_point paceStart_;   ///< when the clock of the pace was started,
   double paceTime_ = 0.0;         ///< s: and at which moment of the simulation

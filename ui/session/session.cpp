@@ -330,14 +330,20 @@ bool Session::hasOwnTakes() const {
   return std::any_of(takes_.begin(), takes_.end(), [](const Take& take) { return take.own; });
 }
 
-void Session::adoptTakes(const std::vector<std::filesystem::path>& files) {
+void Session::adoptTakes(const std::vector<LeftTake>& takes) {
   std::error_code error;
   std::filesystem::create_directories(takesFolder_, error);
-  for (const std::filesystem::path& file : files) {
-    const std::filesystem::path own = takesFolder_ / file.filename();
-    std::filesystem::rename(file, own, error);
-    if (const sim::Status opened = openTake(error ? file : own); !opened) report(opened.problem());
+  for (const LeftTake& left : takes) {
+    const std::filesystem::path own = takesFolder_ / left.file.filename();
+    std::filesystem::rename(left.file, own, error);
+    if (const sim::Status opened = openTake(error ? left.file : own); !opened) {
+      report(opened.problem());
+      continue;
+    }
+    takes_.back().note = left.note;
+    if (!left.name.isEmpty()) takes_.back().name = left.name;
   }
+  if (!takes.empty()) emit takesChanged();
 }
 
 sim::Status Session::saveTake(std::size_t take, const std::filesystem::path& file) const {

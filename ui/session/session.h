@@ -35,6 +35,13 @@ struct Take : TakeLabel {
   bool own = false;    ///< recorded by the program, which keeps and deletes its file; else somebody's file
 };
 
+/// A take that a program which was killed left behind.
+struct LeftTake {
+  std::filesystem::path file;
+  QString name;  ///< empty: none is known
+  QString note;
+};
+
 /// Everything behind the window: the document, what is built of it, the run, the takes and the moment shown.
 /// Lives in the window's thread; a timer looks at what the other threads have ready.
 class Session : public QObject {
@@ -75,7 +82,7 @@ class Session : public QObject {
   /// Puts a take of the program's own into the list, and leaves the timeline as it is.
   sim::Status listTake(const std::filesystem::path& file, const TakeLabel& label, const QImage& thumbnail);
   /// Takes over files of a run that was cut short; those that cannot be read are left out.
-  void adoptTakes(const std::vector<std::filesystem::path>& files);
+  void adoptTakes(const std::vector<LeftTake>& takes);
   /// Copies its file. Asks for a take that is finished.
   sim::Status saveTake(std::size_t take, const std::filesystem::path& file) const;
 

@@ -34,6 +34,7 @@ QPushButton:hover { border-color: @dimText; }
 QPushButton:pressed, QPushButton:checked { background: @field; }
 QPushButton:default { border-color: @accent; }
 QPushButton:focus { border-color: @accent; }
+QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton:disabled { color: @dimText; background: @panel; }
 QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox {
   background: @field; border: 1px solid @line; border-radius: 4px; padding: 3px 6px;

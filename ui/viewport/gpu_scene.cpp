@@ -258,6 +258,12 @@ void GpuScene::drawSurface(QOpenGLShaderProgram& program, std::optional<sim::Par
   }
 }
 
+void GpuScene::drawFacesOfCells(QOpenGLShaderProgram& program, const TopologyDraw::Range& faces) {
+  if (!data_->motion) return;
+  useNodes(program);
+  drawFaces(faces.first, faces.count);
+}
+
 void GpuScene::drawShards(QOpenGLShaderProgram& program) {
   if (!data_->motion) return;
   useNodes(program);

@@ -27,6 +27,7 @@ class GpuScene {
   /// Faces and, where wanted, shards; of one part, or of all.
   void drawSurface(QOpenGLShaderProgram& program, std::optional<sim::PartIndex> part = {});
   void drawFacesOfCells(QOpenGLShaderProgram& program);
+  void drawFacesOfCells(QOpenGLShaderProgram& program, const TopologyDraw::Range& faces);
   void drawShards(QOpenGLShaderProgram& program);
   void drawLevel(QOpenGLShaderProgram& program);
   void drawCollider(QOpenGLShaderProgram& program, std::size_t collider);

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QOpenGLContext>
 
+#include "ui/document/scene_edits.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/break_history.h"
 #include "ui/viewport/camera_flight.h"
@@ -64,6 +65,7 @@ void Viewport::destroyRenderer() {
 void Viewport::setViewSettings(const ViewSettings& settings) {
   if (settings == viewSettings_) return;
   viewSettings_ = settings;
+  heartbeat_.listen(settings.statistics);
   prepare();
   emit viewSettingsChanged();
 }
@@ -230,9 +232,15 @@ void Viewport::initializeGL() {
 }
 
 PictureFrame Viewport::pictureFrame() const {
-  PictureFrame frame{
-      camera_, viewSize(), devicePixelRatioF(), defaultFramebufferObject(), Theme::instance().colours(),
-      {},      {}};
+  PictureFrame frame{camera_,
+                     viewSize(),
+                     devicePixelRatioF(),
+                     defaultFramebufferObject(),
+                     Theme::instance().colours(),
+                     {},
+                     {},
+                     {},
+                     {}};
   const modeling::Scene& scene = session_.document().scene();
   for (const Item& item : session_.selection().items()) {
     if (item.kind == ItemKind::part && item.index < scene.parts.size() && drawn_->shown.network) {
@@ -248,7 +256,27 @@ PictureFrame Viewport::pictureFrame() const {
         frame.outlinedColliders.push_back(i);
     }
   }
+  addLocked(frame);
   return frame;
+}
+
+/// Clicks pass over what is locked.
+void Viewport::addLocked(PictureFrame& frame) const {
+  const modeling::Scene& scene = session_.document().scene();
+  if (scene.view.locked.empty()) return;
+  const auto locked = [&](ItemKind kind, const std::string& name) {
+    const std::optional<Item> item = itemNamed(scene, kind, name);
+    return item && isLocked(scene, *item);
+  };
+  if (drawn_->shown.network) {
+    const std::vector<std::string>& names = drawn_->shown.network->partNames;
+    for (std::size_t part = 0; part < names.size(); ++part) {
+      if (locked(ItemKind::part, names[part])) frame.passedParts.push_back(static_cast<sim::PartIndex>(part));
+    }
+  }
+  for (std::size_t i = 0; i < drawn_->colliders.size(); ++i) {
+    if (locked(ItemKind::collider, drawn_->colliders[i].name)) frame.passedColliders.push_back(i);
+  }
 }
 
 void Viewport::paintGL() {

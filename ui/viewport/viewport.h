@@ -8,6 +8,7 @@
 #include "ui/viewport/axis_gizmo.h"
 #include "ui/viewport/draw_preparer.h"
 #include "ui/viewport/gl.h"
+#include "ui/viewport/heartbeat.h"
 #include "ui/viewport/navigator.h"
 #include "ui/viewport/tool.h"
 #include "ui/viewport/view_camera.h"
@@ -69,7 +70,7 @@ class Viewport : public QOpenGLWidget {
 
  signals:
   void toolChanged();
-  /// What the tool asks to do next is another thing than before.
+  /// What the pointer can do, or the tool asks to do next, is another thing than before.
   void hintChanged(const QString& hint);
   void viewSettingsChanged();
   /// What the pointer is over changed.
@@ -100,10 +101,12 @@ class Viewport : public QOpenGLWidget {
   void destroyRenderer();
   void sayWhatIsMissing(const QString& why);
   PictureFrame pictureFrame() const;
+  void addLocked(PictureFrame& frame) const;
   Eigen::AlignedBox3d everything() const;
   ViewCamera framed(const Eigen::AlignedBox3d& box) const;
   void moved();
   void select(const Pick& pick, Qt::KeyboardModifiers modifiers);
+  QString hint() const;
   void noteHint();
   /// Of the frame that is being drawn around things to select; empty where none is.
   QRectF band() const;
@@ -138,6 +141,7 @@ class Viewport : public QOpenGLWidget {
   QPointF gizmoLast_;
   Pick hover_;
   QString hint_;  ///< that was told last
+  Heartbeat heartbeat_;
   QTimer preparing_;
   QTimer hovering_;
   DrawPreparer preparer_;

@@ -78,7 +78,8 @@ void Viewport::paintStatistics(QPainter& painter) const {
       tr("%L1 draw calls").arg(drawing.drawCalls),
       tr("%L1 kB uploaded").arg(static_cast<double>(drawing.uploadedBytes) / 1000.0, 0, 'f', 1),
       tr("%L1 ms to prepare").arg(drawn_->milliseconds, 0, 'f', 2),
-      tr("%L1 ms to paint").arg(drawing.paintMilliseconds, 0, 'f', 2)};
+      tr("%L1 ms to paint").arg(drawing.paintMilliseconds, 0, 'f', 2),
+      tr("%L1 ms longest wait of the window").arg(heartbeat_.longestWait(), 0, 'f', 0)};
   painter.setFont(Theme::numberFont(-1.0));
   const QFontMetricsF metrics(painter.font());
   double width = 0.0;

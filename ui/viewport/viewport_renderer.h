@@ -38,6 +38,8 @@ struct PictureFrame {
   const Colours& colours;
   std::vector<sim::PartIndex> outlinedParts;
   std::vector<std::size_t> outlinedColliders;  ///< of the draw data's
+  std::vector<sim::PartIndex> passedParts;     ///< picking looks through their surface
+  std::vector<std::size_t> passedColliders;    ///< likewise; of the draw data's
 };
 
 /// Draws draw data with OpenGL 3.3. Made, used and destroyed with the context current.
@@ -70,6 +72,7 @@ class ViewportRenderer {
   void paintOutline(const PictureFrame& frame);
   void drawGround(QOpenGLShaderProgram& program, const sim::Collider* floor);
   void identifySolids(const PictureFrame& frame);
+  void identifyFaces(QOpenGLShaderProgram& program, const PictureFrame& frame);
   void identifySurface(const PictureFrame& frame);
   void identifyLattice(const PictureFrame& frame, double reach);
   PickedThing readNearest(const PictureFrame& frame, const QPointF& at, int reach);

@@ -49,6 +49,9 @@ PickedThing thingOf(GLuint kind, GLuint index) {
 
 void ViewportRenderer::identifySolids(const PictureFrame& frame) {
   const DrawData& data = scene_->data();
+  const auto passes = [&](std::size_t collider) {
+    return std::ranges::find(frame.passedColliders, collider) != frame.passedColliders.end();
+  };
   QOpenGLShaderProgram& ground = programs_->groundPick;
   useCamera(ground, frame);
   ground.setUniformValue("kind", static_cast<GLint>(kCollider));
@@ -56,7 +59,7 @@ void ViewportRenderer::identifySolids(const PictureFrame& frame) {
     const sim::Collider& collider = data.colliders[i];
     const bool above =
         (frame.camera.eye() - collider.position).dot(collider.rotation * sim::Vec3::UnitZ()) > 0;
-    if (collider.shape != sim::ColliderShape::floor || !collider.visible || !above) continue;
+    if (collider.shape != sim::ColliderShape::floor || !collider.visible || !above || passes(i)) continue;
     ground.setUniformValue("firstIndex", static_cast<GLint>(i));
     drawGround(ground, &collider);
   }
@@ -65,7 +68,7 @@ void ViewportRenderer::identifySolids(const PictureFrame& frame) {
   solid.setUniformValue("kind", static_cast<GLint>(kCollider));
   solid.setUniformValue("primitivesEach", 0);
   for (std::size_t i = 0; i < data.colliders.size(); ++i) {
-    if (!data.colliders[i].visible) continue;
+    if (!data.colliders[i].visible || passes(i)) continue;
     solid.setUniformValue("firstIndex", static_cast<GLint>(i));
     scene_->drawCollider(solid, i);
   }
@@ -74,13 +77,27 @@ void ViewportRenderer::identifySolids(const PictureFrame& frame) {
   scene_->drawLevel(solid);
 }
 
+void ViewportRenderer::identifyFaces(QOpenGLShaderProgram& program, const PictureFrame& frame) {
+  if (frame.passedParts.empty() || !scene_->data().topology) {
+    scene_->drawFacesOfCells(program);
+    return;
+  }
+  for (const TopologyDraw::Range& range : scene_->data().topology->partFaces) {
+    if (std::ranges::find(frame.passedParts, range.part) != frame.passedParts.end()) continue;
+    // Primitives are counted anew in each call.
+    program.setUniformValue("firstIndex", static_cast<GLint>(range.first));
+    scene_->drawFacesOfCells(program, range);
+  }
+  program.setUniformValue("firstIndex", 0);
+}
+
 void ViewportRenderer::identifySurface(const PictureFrame& frame) {
   QOpenGLShaderProgram& solid = programs_->solidPick;
   useCamera(solid, frame);
   solid.setUniformValue("firstIndex", 0);
   solid.setUniformValue("kind", static_cast<GLint>(kFace));
   solid.setUniformValue("primitivesEach", 2);
-  scene_->drawFacesOfCells(solid);
+  identifyFaces(solid, frame);
   solid.setUniformValue("kind", static_cast<GLint>(kShard));
   solid.setUniformValue("primitivesEach", 1);
   scene_->drawShards(solid);

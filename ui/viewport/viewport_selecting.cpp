@@ -78,8 +78,16 @@ void Viewport::paintBand(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
 }
 
+QString Viewport::hint() const {
+  if (tool_) return tool_->hint();
+  const QString turning = navigator_.preset() == NavigationPreset::maya
+                              ? tr("Alt and a drag orbits, pans and zooms")
+                              : tr("middle button orbits, with Shift pans; wheel zooms");
+  return tr("Click selects, with Shift more; drag selects what is in a box; %1").arg(turning);
+}
+
 void Viewport::noteHint() {
-  const QString hint = tool_ ? tool_->hint() : QString();
+  const QString hint = this->hint();
   if (hint == hint_) return;
   hint_ = hint;
   emit hintChanged(hint_);

@@ -62,7 +62,7 @@ void Card::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(marked ? colours.accent : colours.line, marked ? 1.5 : 1.0));
   painter.drawPath(shape);
 
-  const QRectF words = QRectF(whole.left() + 10, top.bottom() + 7, whole.width() - 20, kTextHeight - 10);
+  const QRectF words = QRectF(whole.left() + 10, top.bottom() + 7, whole.width() - 20, kTextHeight - 16);
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);

@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QStatusBar>
 #include <QTimer>
 #include <algorithm>
 
@@ -67,6 +68,7 @@ void MainWindow::showGallery() {
   }
   for (QDockWidget* dock : docks_) dock->hide();
   toolBar_->hide();
+  statusBar()->hide();
   pages_->setCurrentWidget(gallery_);
 }
 
@@ -75,6 +77,7 @@ void MainWindow::showViewport() {
   pages_->setCurrentWidget(workPage_);
   const QByteArray state = QSettings().value("window/state").toByteArray();
   toolBar_->show();
+  statusBar()->show();
   if (state.isEmpty() || !restoreState(state, kLayoutVersion)) useFirstLayout();
   viewport_->setFocus();
 }

@@ -135,6 +135,8 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makeStatusBar() {
   hint_ = new QLabel(this);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
+  hint_->setIndent(6);
   state_ = new QLabel(this);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(hint_, 1);
