@@ -5,7 +5,10 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "modeling/exchange/mesh_file.h"
 #include "ui/panels/dish_picture.h"
@@ -103,7 +106,29 @@ void AddActions::addMeshFile(bool obstacle) {
       QFileDialog::getOpenFileName(window_, obstacle ? tr("Mesh to Collide With") : tr("Closed Mesh"),
                                    QString::fromStdString(session_.document().folder().string()),
                                    tr("Meshes (%1);;All files (*)").arg(endings.trimmed()));
-  if (file.isEmpty()) return;
+  if (!file.isEmpty()) addMeshOf(file, obstacle);
+}
+
+bool AddActions::isMesh(const std::filesystem::path& file) {
+  const QString ending = QString::fromStdString(file.extension().string()).toLower();
+  return std::ranges::any_of(modeling::meshFileEndings(),
+                             [&](const std::string& one) { return QString::fromStdString(one) == ending; });
+}
+
+void AddActions::askAboutMesh(const std::filesystem::path& file) {
+  QMessageBox question(QMessageBox::Question, tr("Add a Mesh"),
+                       tr("Add “%1” as what?").arg(QString::fromStdString(file.filename().string())),
+                       QMessageBox::Cancel, window_);
+  question.setInformativeText(
+      tr("A part is filled with cells and can break; an obstacle stands in the way."));
+  const QAbstractButton* part = question.addButton(tr("Part"), QMessageBox::AcceptRole);
+  const QAbstractButton* obstacle = question.addButton(tr("Obstacle"), QMessageBox::AcceptRole);
+  question.exec();
+  if (question.clickedButton() == part || question.clickedButton() == obstacle)
+    addMeshOf(QString::fromStdString(file.string()), question.clickedButton() == obstacle);
+}
+
+void AddActions::addMeshOf(const QString& file, bool obstacle) {
   const std::string path = storedPath(file, session_.document().folder());
   const std::vector<Item> selected = session_.selection().items();
   finish(obstacle ? tr("Add Obstacle") : tr("Add Mesh"), [&](modeling::Scene& scene) {

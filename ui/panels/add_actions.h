@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 
 #include "ui/document/new_parts.h"
 #include "ui/session/session.h"
@@ -27,6 +28,10 @@ class AddActions : public QObject {
   void addNetworkFile();
   /// Asks for the file of a mesh first: a part, or an obstacle.
   void addMeshFile(bool obstacle);
+  /// By its name.
+  static bool isMesh(const std::filesystem::path& file);
+  /// Of one that was dropped: whether it is a part or an obstacle.
+  void askAboutMesh(const std::filesystem::path& file);
 
  signals:
   void added(const Item& item);
@@ -34,6 +39,7 @@ class AddActions : public QObject {
  private:
   void openMenu();
   void finish(const QString& name, const std::function<Item(modeling::Scene&)>& change);
+  void addMeshOf(const QString& file, bool obstacle);
 
   Session& session_;
   QWidget* window_;

@@ -14,6 +14,7 @@
 
 #include "ui/document/place_words.h"
 #include "ui/files/autosave.h"
+#include "ui/panels/add_actions.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/gallery.h"
@@ -21,6 +22,14 @@
 #include "ui/window/view_memory.h"
 
 namespace ui {
+namespace {
+
+bool canDrop(const std::filesystem::path& file) {
+  return FileActions::canOpen(file) || AddActions::isMesh(file);
+}
+
+}  // namespace
+
 MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
   setObjectName("main");
   resize(1280, 800);
@@ -157,10 +166,17 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
+/// A mesh comes into the scene that is open, or into a new one.
+void MainWindow::takeDropped(const std::filesystem::path& file) {
+  if (!AddActions::isMesh(file)) return files_->open(file);
+  if (pages_->currentWidget() == gallery_) files_->newScene();
+  if (pages_->currentWidget() == workPage_) addActions_->askAboutMesh(file);
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   const bool wanted = std::any_of(urls.begin(), urls.end(), [](const QUrl& url) {
-    return url.isLocalFile() && FileActions::canOpen(url.toLocalFile().toStdString());
+    return url.isLocalFile() && canDrop(url.toLocalFile().toStdString());
   });
   if (wanted) event->acceptProposedAction();
 }
@@ -168,13 +184,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   std::vector<std::filesystem::path> files;
   for (const QUrl& url : event->mimeData()->urls()) {
-    if (url.isLocalFile() && FileActions::canOpen(url.toLocalFile().toStdString()))
+    if (url.isLocalFile() && canDrop(url.toLocalFile().toStdString()))
       files.emplace_back(url.toLocalFile().toStdString());
   }
   event->acceptProposedAction();
   // Questions that opening asks must not keep the program waiting that the file was dragged from.
   QTimer::singleShot(0, this, [this, files] {
-    for (const std::filesystem::path& file : files) files_->open(file);
+    for (const std::filesystem::path& file : files) takeDropped(file);
   });
 }
 

@@ -71,6 +71,7 @@ class MainWindow : public QMainWindow {
   void showPreviewProblem();
   void showProblem(const sim::Problem& problem);
   void keepPicture();
+  void takeDropped(const std::filesystem::path& file);
 
   /// Of saveState(): another number when docks are added or renamed.
   static constexpr int kLayoutVersion = 4;
