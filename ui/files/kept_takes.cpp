@@ -15,6 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kIndex = "takes.json";
+/// Share of the scene's time: the last frame may be one short of it.
+constexpr double kWhole = 0.9;
 constexpr std::uintmax_t kMostIndexBytes = std::uintmax_t{1} << 22U;
 
 fs::path pictureOf(const fs::path& take) {
@@ -114,11 +116,13 @@ void KeptTakes::listNext() {
   }
 }
 
-/// What was simulated already need not be simulated again.
+/// What was simulated already, to its end, need not be simulated again.
 void KeptTakes::chooseNewest() {
   if (session_.currentTake() || session_.hasRun()) return;
   for (std::size_t take = session_.takes().size(); take-- > 0;) {
-    if (session_.takes()[take].stale) continue;
+    const Take& one = session_.takes()[take];
+    const double wanted = one.footage->scene().output.duration;
+    if (one.stale || one.footage->duration() < kWhole * wanted) continue;
     session_.selectTake(take);
     return;
   }

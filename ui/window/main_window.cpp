@@ -160,9 +160,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  session_.stopRun();
   keepPicture();
   rememberLayout();
-  session_.stopRun();
   event->accept();
 }
 
