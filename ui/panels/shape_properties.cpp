@@ -191,9 +191,9 @@ modeling::BondType* bondTypeOf(Scene& scene, const Item& item, std::size_t type)
   return shape && type < shape->bondTypes.size() ? &shape->bondTypes[type].constants : nullptr;
 }
 
-void addNetwork(PropertyForm& form) {
-  using Shape = modeling::NetworkShape;
-  Fieldset<Shape> fields(form, "", shapeOf<Shape>);
+/// Of shapes that stand in a file of their own.
+template <class Shape>
+void addFile(PropertyForm& form, Fieldset<Shape>& fields) {
   form.addText(
       fields.labelOf(&Shape::file, PropertyForm::tr("File")),
       [](Scene& scene, const Item& item) {
@@ -203,6 +203,12 @@ void addNetwork(PropertyForm& form) {
       [](Scene& scene, const Item& item, const QString& file) {
         if (Shape* shape = shapeOf<Shape>(scene, item)) shape->file = file.toStdString();
       });
+}
+
+void addNetwork(PropertyForm& form) {
+  using Shape = modeling::NetworkShape;
+  Fieldset<Shape> fields(form, "", shapeOf<Shape>);
+  addFile(form, fields);
   const Scene& scene = form.session().document().scene();
   const Shape& shape = std::get<Shape>(scene.parts[form.current().index].shape);
   for (std::size_t type = 0; type < shape.bondTypes.size(); ++type) {
@@ -224,15 +230,7 @@ void addNetwork(PropertyForm& form) {
 void addMesh(PropertyForm& form) {
   using Shape = modeling::MeshShape;
   Fieldset<Shape> fields(form, "", shapeOf<Shape>);
-  form.addText(
-      fields.labelOf(&Shape::file, PropertyForm::tr("File")),
-      [](Scene& scene, const Item& item) {
-        const Shape* shape = shapeOf<Shape>(scene, item);
-        return shape ? QString::fromStdString(shape->file) : QString();
-      },
-      [](Scene& scene, const Item& item, const QString& file) {
-        if (Shape* shape = shapeOf<Shape>(scene, item)) shape->file = file.toStdString();
-      });
+  addFile(form, fields);
   fields.number(&Shape::cellSize, PropertyForm::tr("Cell size"), Dimension::length, 0.05);
 }
 
