@@ -4,6 +4,8 @@
 #include <mutex>
 #include <thread>
 
+#include "ui/session/background.h"
+
 namespace ui {
 
 struct CalibrationRun::State {
@@ -48,6 +50,7 @@ CalibrationRun::CalibrationRun(const modeling::Material& material,
                                const modeling::CalibrationSettings& settings)
     : state_(std::make_shared<State>()) {
   std::thread([state = state_, material, settings] {
+    giveWayToTheWindow();
     state->end(
         calibrated(material, settings, [&](const modeling::Trial& trial) { return state->watch(trial); }));
   }).detach();

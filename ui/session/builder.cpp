@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "sim/network/surface_mesh.h"
+#include "ui/session/background.h"
 
 namespace ui {
 namespace {
@@ -65,6 +66,7 @@ class Builder::Thread {
   }
 
   void main() {
+    giveWayToTheWindow();
     std::unique_lock lock(mutex_);
     while (true) {
       changed_.wait(lock, [&] { return ending_ || wanted_; });

@@ -5,6 +5,7 @@
 
 #include "modeling/exchange/export.h"
 #include "ui/picture/video.h"
+#include "ui/session/background.h"
 
 namespace ui {
 
@@ -19,6 +20,7 @@ int nextLook(int samples) {
 
 PictureJob::PictureJob(Order order)
     : order_(std::move(order)), runner_([this](const std::stop_token& stop) {
+        giveWayToTheWindow();
         sim::Status status = sim::Done{};
         try {
           status = drawAll(stop);

@@ -2,6 +2,8 @@
 
 #include <mutex>
 
+#include "ui/session/background.h"
+
 namespace ui {
 
 struct PreflightRun::Shared {
@@ -23,6 +25,7 @@ void PreflightRun::start(const std::shared_ptr<const Preview>& preview) {
   if (runner_.joinable()) runner_.detach();
   shared_ = std::make_shared<Shared>();
   runner_ = std::jthread([shared = shared_, preview](const std::stop_token& stop) {
+    giveWayToTheWindow();
     sim::Result<modeling::Preflight> result = sim::Problem{"", "there is nothing to simulate", "add a part"};
     try {
       if (preview->problem) result = *preview->problem;

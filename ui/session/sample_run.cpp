@@ -4,6 +4,7 @@
 
 #include "modeling/scene/build.h"
 #include "sim/dynamics/simulation.h"
+#include "ui/session/background.h"
 
 namespace ui {
 
@@ -97,6 +98,7 @@ void SampleRun::start(const modeling::Material& material) {
   });
   shared_ = std::make_shared<Shared>();
   runs_.push_back({shared_, std::jthread([shared = shared_, material](const std::stop_token& stop) {
+                     giveWayToTheWindow();
                      std::optional<sim::Problem> problem;
                      try {
                        problem = run(material, stop,

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <exception>
 
+#include "ui/session/background.h"
 #include "ui/session/live_run.h"
 
 namespace ui {
@@ -46,6 +47,7 @@ class Worker::Thread {
   }
 
   void main() {
+    giveWayToTheWindow();
     while (!ending_) {
       try {
         obeyOrders();

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "ui/session/background.h"
 #include "ui/viewport/draw_maker.h"
 
 namespace ui {
@@ -43,6 +44,7 @@ class DrawPreparer::Thread {
   }
 
   void main() {
+    giveWayToTheWindow();
     DrawMaker maker;
     std::unique_lock lock(mutex_);
     while (true) {
