@@ -320,8 +320,9 @@ QString iconNameOf(const NewThing& thing) {
     case Kind::patch:
       return QStringLiteral("patch");
     case Kind::handle:
-    case Kind::spout:
       return QStringLiteral("curved-cylinder");
+    case Kind::spout:
+      return QStringLiteral("spout");
     case Kind::floor:
       return QStringLiteral("floor");
     case Kind::box:

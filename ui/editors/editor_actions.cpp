@@ -92,6 +92,7 @@ void EditorActions::togglePoints() {
   } else if (part != nullptr && hasPoints(part->shape)) {
     session_.showEdited();
     viewport_.setTool(std::make_unique<PointsTool>(session_, part->name));
+    viewport_.setFocus();  // whose keys are the tool's, Esc among them
   }
 }
 
@@ -100,6 +101,7 @@ void EditorActions::toggleGlue(bool on) {
   session_.showEdited();
   viewport_.setTool(std::make_unique<GlueTool>(session_, *gluing_));
   gluing_->begin();
+  viewport_.setFocus();
 }
 
 void EditorActions::toolChanged() {

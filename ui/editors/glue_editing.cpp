@@ -36,6 +36,17 @@ std::optional<std::size_t> gluingOf(const modeling::Scene& scene, const std::str
   return std::nullopt;
 }
 
+/// The one gluing in which the part takes part.
+std::optional<std::size_t> onlyGluingOf(const modeling::Scene& scene, const std::string& part) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < scene.glue.size(); ++i) {
+    if (scene.glue[i].a != part && scene.glue[i].b != part) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
 }  // namespace
 
 GlueEditing::GlueEditing(Session& session, QObject* parent)
@@ -55,10 +66,13 @@ void GlueEditing::begin() {
   const modeling::Scene& scene = session_.document().scene();
   const std::vector<Item>& items = session_.selection().items();
   if (!items.empty() && items.back().kind == ItemKind::gluing) return edit(items.back().index);
-  stage_ = Stage::chooseA;
   std::vector<std::string> parts;
   for (const Item& item : items)
     if (item.kind == ItemKind::part) parts.push_back(scene.parts[item.index].name);
+  if (parts.size() == 1) {
+    if (const std::optional<std::size_t> gluing = onlyGluingOf(scene, parts.front())) return edit(*gluing);
+  }
+  stage_ = Stage::chooseA;
   if (parts.size() == 2)
     for (const std::string& part : parts) choose(part);
   emit changed();

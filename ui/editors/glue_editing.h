@@ -35,7 +35,8 @@ class GlueEditing : public QObject {
   const std::shared_ptr<const GlueOutcome>& outcome() const { return outcome_; }
   bool isBusy() const { return worker_.isBusy(); }
 
-  /// Starts with the gluing that is selected, or the two parts that are, or by asking for parts.
+  /// Starts with the gluing that is selected, or the only one of the part that is, or the two parts that are,
+  /// or by asking for parts.
   void begin();
   void edit(std::size_t gluing);
   void choose(const std::string& part);

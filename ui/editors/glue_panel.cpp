@@ -18,7 +18,7 @@ namespace ui {
 namespace {
 
 constexpr int kWidth = 272;      ///< logical pixels
-constexpr int kMargin = 12;      ///< from the corner of the viewport
+constexpr int kMargin = 10;      ///< from the edge of the viewport
 constexpr double kLeast = 0.02;  ///< cm, left end of the slider
 constexpr double kMost = 5.0;    ///< cm, right end
 constexpr int kSteps = 400;
@@ -218,7 +218,14 @@ void GluePanel::paintEvent(QPaintEvent*) {
 void GluePanel::placeInCorner() {
   layout()->activate();
   resize(kWidth, layout()->totalHeightForWidth(kWidth));
-  move(kMargin, kMargin);
+  // Beside the bar of tools, and below that of what is shown where the picture is narrow.
+  QRect place(kMargin, kMargin, width(), height());
+  for (const QWidget* bar : parentWidget()->findChildren<QWidget*>(QStringLiteral("viewBar"))) {
+    const QRect taken = bar->geometry();
+    if (taken.left() <= kMargin) place.moveLeft(taken.right() + kMargin);
+    if (taken.left() > kMargin && taken.intersects(place)) place.moveTop(taken.bottom() + kMargin);
+  }
+  move(place.topLeft());
 }
 
 }  // namespace ui

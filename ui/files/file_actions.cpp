@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QStandardPaths>
 
 #include "modeling/exchange/take_scene.h"
 #include "modeling/scene/resources.h"
@@ -183,7 +184,9 @@ bool FileActions::save() {
 
 bool FileActions::saveAs() {
   QString start = text(session_.document().file());
-  if (start.isEmpty()) start = session_.document().title() + kSceneEnding;
+  if (start.isEmpty())
+    start = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + u'/' +
+            session_.document().title() + kSceneEnding;
   QString name = QFileDialog::getSaveFileName(window_, tr("Save the scene"), start,
                                               tr("Scenes (*%1)").arg(kSceneEnding));
   if (name.isEmpty()) return false;

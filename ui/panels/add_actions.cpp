@@ -51,9 +51,9 @@ void AddActions::fill(QMenu& menu) {
     if (!colliders && isCollider(thing)) {
       menu.addAction(Theme::icon(QStringLiteral("network")), tr("Network from a File…"), this,
                      &AddActions::addNetworkFile);
-      menu.addAction(Theme::icon(QStringLiteral("network")), tr("Mesh from a File…"), this,
+      menu.addAction(Theme::icon(QStringLiteral("mesh")), tr("Mesh from a File…"), this,
                      [this] { addMeshFile(false); });
-      menu.addAction(Theme::icon(QStringLiteral("network")), tr("Obstacle from a File…"), this,
+      menu.addAction(Theme::icon(QStringLiteral("mesh-obstacle")), tr("Obstacle from a File…"), this,
                      [this] { addMeshFile(true); });
       menu.addSeparator();
       colliders = true;

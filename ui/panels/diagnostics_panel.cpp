@@ -117,7 +117,8 @@ void DiagnosticsPanel::makeChart() {
   chart_->addAxis(others_, Qt::AlignRight);
   for (QValueAxis* axis : {time_, values_, others_}) {
     axis->setLabelsFont(Theme::numberFont(-2.0));
-    axis->setLabelFormat(QStringLiteral("%.3g"));
+    axis->setTitleFont(Theme::numberFont(-1.0));
+    axis->setLabelFormat(QStringLiteral("%.4g"));
     setRange(*axis, 0.0, 1.0, 4.0);
     axis->setTickAnchor(0.0);
     axis->setTickType(QValueAxis::TicksDynamic);
@@ -139,6 +140,7 @@ void DiagnosticsPanel::colour() {
   const Colours& colours = Theme::instance().colours();
   for (QValueAxis* axis : {time_, values_, others_}) {
     axis->setLabelsColor(colours.dimText);
+    axis->setTitleBrush(colours.dimText);
     axis->setLinePenColor(colours.line);
     axis->setGridLineColor(colours.line);
   }
@@ -235,7 +237,10 @@ void DiagnosticsPanel::fitValues(QValueAxis& axis, bool ofItsOwn, std::vector<QL
     if (!isMeant(line)) continue;
     for (QPointF& point : points[line]) point.ry() /= thousands.factor;
   }
-  if (!ofItsOwn) unit_->setText(QStringLiteral("%1 %2").arg(thousands.prefix, plots_[plot_].unit).trimmed());
+  if (!ofItsOwn) {
+    unit_->setText(plots_[plot_].unit);
+    axis.setTitleText(thousands.prefix.isEmpty() ? QString() : thousands.prefix + u' ' + plots_[plot_].unit);
+  }
   least /= thousands.factor;
   most /= thousands.factor;
   if (least == most) most = 1.0;

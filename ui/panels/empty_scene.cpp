@@ -56,7 +56,7 @@ EmptyScene::EmptyScene(Session& session, AddActions& actions, QWidget* over)
     connect(button, &QToolButton::clicked, &actions, [&actions, thing] { actions.add(thing); });
     ++index;
   }
-  auto* more = new QPushButton(Theme::icon(QStringLiteral("add")), tr("Something Else"), this);
+  auto* more = new QPushButton(Theme::icon(QStringLiteral("add")), tr("Something Else…"), this);
   auto* menu = new QMenu(more);
   actions.fill(*menu);
   more->setMenu(menu);

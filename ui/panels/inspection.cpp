@@ -22,6 +22,9 @@ QString vectorText(const sim::Vec3& vector, const char* unit) {
 }
 
 QString percent(double share) {
+  // Below, it is how numbers are rounded.
+  constexpr double kLeast = 1e-9;
+  if (std::abs(share) < kLeast) share = 0.0;
   return number(100.0 * share, "%");
 }
 

@@ -15,12 +15,12 @@ QColor colourOf(const modeling::Colour& colour) {
 }
 
 const char* nameOfShape(const modeling::PartShape& shape) {
-  constexpr const char* kNames[] = {"slab", "patch", "revolution", "curved-cylinder", "network", "network"};
+  constexpr const char* kNames[] = {"slab", "patch", "revolution", "curved-cylinder", "network", "mesh"};
   return shape.index() < std::size(kNames) ? kNames[shape.index()] : "box";
 }
 
 const char* nameOfForm(const modeling::ColliderForm& form) {
-  constexpr const char* kNames[] = {"floor", "box", "sphere", "cylinder", "network"};
+  constexpr const char* kNames[] = {"floor", "box", "sphere", "cylinder", "mesh-obstacle"};
   return form.index() < std::size(kNames) ? kNames[form.index()] : "box";
 }
 

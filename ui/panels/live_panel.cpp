@@ -148,7 +148,7 @@ void LivePanel::makeGravity(QBoxLayout& column) {
                                                 {tr("Along Y"), sim::Vec3::UnitY()}};
   for (const auto& [name, way] : ways) {
     auto* button = new QPushButton(name, this);
-    button->setFixedHeight(26);
+    button->setFixedHeight(28);
     presets->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, towards = way] {
       direction_->setDirection(towards);
@@ -257,6 +257,7 @@ void LivePanel::useTool(TouchTool::Kind kind, bool on) {
       std::make_unique<TouchTool>(kind, [this, kind](const sim::Vec3& point, const sim::Vec3& direction) {
         touchNow(kind, point, direction);
       }));
+  viewport_.setFocus();
 }
 
 void LivePanel::showTool() {

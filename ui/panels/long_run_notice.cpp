@@ -72,8 +72,16 @@ void LongRunNotice::showRun() {
 }
 
 void LongRunNotice::place() {
-  adjustSize();
+  constexpr int kMargin = 10;
   const QRect over = parentWidget()->rect();
+  // The words go over to a second line where the picture is narrow.
+  const int room = over.width() - 2 * kMargin;
+  text_->setWordWrap(false);
+  layout()->invalidate();
+  const int wanted = sizeHint().width();
+  text_->setWordWrap(wanted > room);
+  setFixedWidth(std::min(wanted, room));
+  adjustSize();
   move(over.center().x() - width() / 2, over.bottom() - height() - 16);
   raise();
 }

@@ -36,6 +36,9 @@ Outliner::Outliner(Session& session, SceneActions& actions, QWidget* parent)
   hint_->setAlignment(Qt::AlignCenter);
   hint_->setContentsMargins(12, 12, 12, 12);
   hint_->setForegroundRole(QPalette::PlaceholderText);
+  // On the ground of the list above.
+  hint_->setBackgroundRole(QPalette::AlternateBase);
+  hint_->setAutoFillBackground(true);
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(6, 6, 6, 4);
   bar->addWidget(filter_);

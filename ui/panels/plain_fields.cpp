@@ -64,32 +64,9 @@ void ChoiceField::wheelEvent(QWheelEvent* event) {
   event->ignore();
 }
 
-void ChoiceField::paintEvent(QPaintEvent* event) {
-  QComboBox::paintEvent(event);
-  constexpr int kSize = 10;
-  const QRect arrow(width() - kSize - 8, (height() - kSize) / 2, kSize, kSize);
-  QPainter painter(this);
-  Theme::icon(QStringLiteral("chevron-down"))
-      .paint(&painter, arrow, Qt::AlignCenter, isEnabled() ? QIcon::Normal : QIcon::Disabled);
-}
-
-void CheckField::paintEvent(QPaintEvent*) {
-  const Colours& colours = Theme::instance().colours();
-  constexpr int kBox = 15;
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF box(0.5, 0.5 * (height() - kBox) + 0.5, kBox - 1, kBox - 1);
-  painter.setPen(hasFocus() ? colours.accent : underMouse() ? colours.dimText : colours.line);
-  painter.setBrush(isChecked() ? colours.accent : colours.field);
-  painter.drawRoundedRect(box, 3.0, 3.0);
-  if (isChecked()) {
-    painter.setPen(QPen(colours.accentText, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    const QPointF from = box.topLeft();
-    painter.drawPolyline(
-        QPolygonF{from + QPointF(3.2, 7.2), from + QPointF(6.0, 10.0), from + QPointF(11.0, 4.4)});
-  }
-  painter.setPen(isEnabled() ? colours.text : colours.dimText);
-  painter.drawText(rect().adjusted(kBox + 7, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text());
+QSize CheckField::minimumSizeHint() const {
+  // A long name does not keep the panel from being narrow.
+  return {60, QCheckBox::minimumSizeHint().height()};
 }
 
 ColourField::ColourField(QWidget* parent) : QToolButton(parent) {

@@ -29,15 +29,13 @@ class TextField : public QLineEdit {
   QString value_;
 };
 
-/// A box to be ticked, drawn so that it is seen empty too.
+/// A box to be ticked, in a form.
 class CheckField : public QCheckBox {
   Q_OBJECT
 
  public:
   using QCheckBox::QCheckBox;
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
+  QSize minimumSizeHint() const override;
 };
 
 /// One of several; the wheel passes over it unless it has the focus.
@@ -54,7 +52,6 @@ class ChoiceField : public QComboBox {
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
 };
 
 /// A swatch that opens a colour chooser. What is tried there counts at once, as one edit.

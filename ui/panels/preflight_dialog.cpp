@@ -66,6 +66,9 @@ PreflightDialog::PreflightDialog(Session& session, QWidget* parent) : QDialog(pa
   column->addWidget(makeButtons());
   timer_.setInterval(60);
   connect(&timer_, &QTimer::timeout, this, &PreflightDialog::tick);
+  connect(&Theme::instance(), &Theme::changed, this, [this] {
+    if (shown_) showResult();
+  });
 }
 
 QFormLayout* PreflightDialog::makeRows() {
@@ -145,6 +148,11 @@ void PreflightDialog::tick() {
   timer_.stop();
   busy_->hide();
   shown_ = true;
+  showResult();
+}
+
+void PreflightDialog::showResult() {
+  showParts();
   if (const std::optional<modeling::Preflight> flight = run_.result()) showFlight(*flight);
   if (const std::optional<sim::Problem> problem = run_.problem()) showProblem(*problem);
 }

@@ -20,9 +20,12 @@ QString kindOf(const modeling::Scene& scene, const Item& item) {
     case ItemKind::scene:
       return Properties::tr("Scene");
     case ItemKind::part: {
-      const QString kinds[] = {Properties::tr("Slab"), Properties::tr("Patch"),
-                               Properties::tr("Solid of revolution"), Properties::tr("Curved cylinder"),
-                               Properties::tr("Network")};
+      const QString kinds[] = {Properties::tr("Slab"),
+                               Properties::tr("Patch"),
+                               Properties::tr("Solid of revolution"),
+                               Properties::tr("Curved cylinder"),
+                               Properties::tr("Network"),
+                               Properties::tr("Solid of a mesh")};
       const std::size_t kind = scene.parts[item.index].shape.index();
       return kind < std::size(kinds) ? kinds[kind] : Properties::tr("Part");
     }

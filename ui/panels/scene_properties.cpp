@@ -108,7 +108,7 @@ void addSkip(PropertyForm& form) {
   fields.check(&Skip::rigid, PropertyForm::tr("Deformation in free flight"));
   fields.check(&Skip::contactSearch, PropertyForm::tr("Contact search"));
   fields.check(&Skip::labelling, PropertyForm::tr("Labelling of fragments"));
-  fields.check(&Skip::thresholds, PropertyForm::tr("Thresholds that cannot be reached"));
+  fields.check(&Skip::thresholds, PropertyForm::tr("Thresholds out of reach"));
   fields.check(&Skip::damping, PropertyForm::tr("Dampers of no strength"));
   fields.check(&Skip::ledger, PropertyForm::tr("Energy nobody reads"));
 }

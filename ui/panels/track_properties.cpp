@@ -90,7 +90,7 @@ void addTrackProperties(PropertyForm& form) {
         if (track && target) setTarget(*track, *target);
       });
   fields.choice(&SceneTrack::interpolation, PropertyForm::tr("Between keys"),
-                {PropertyForm::tr("Hold"), PropertyForm::tr("Straight"), PropertyForm::tr("Eased")});
+                {PropertyForm::tr("Step"), PropertyForm::tr("Linear"), PropertyForm::tr("Smooth")});
   if (form.items().size() > 1) return;
   form.beginSection(PropertyForm::tr("Keys"));
   auto* keys = new KeyTable(&form);

@@ -35,13 +35,15 @@ QPushButton:pressed, QPushButton:checked { background: @field; }
 QPushButton:default { border-color: @accent; }
 QPushButton:focus { border-color: @accent; }
 QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
+QPushButton::menu-indicator { width: 0; }
 QPushButton:disabled { color: @dimText; background: @panel; }
 QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox {
   background: @field; border: 1px solid @line; border-radius: 4px; padding: 3px 6px;
   selection-background-color: @accent; selection-color: @accentText; }
 QComboBox { background: @field; border: 1px solid @line; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: @accent; }
-QComboBox::drop-down { border: 0; width: 18px; }
+QComboBox::drop-down { border: 0; width: 20px; }
+QComboBox::down-arrow { image: url(:/icons/arrow-of-choice.svg); width: 10px; height: 10px; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QAbstractSpinBox:focus { border-color: @accent; }
 QAbstractItemView { background: @panel; border: 0; outline: 0; alternate-background-color: @panel; }
 QAbstractItemView::item { padding: 3px 4px; }

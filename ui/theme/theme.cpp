@@ -1,8 +1,10 @@
 #include "ui/theme/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
+#include <QStyleOption>
 
 #include "ui/theme/icon_engine.h"
 #include "ui/theme/style_sheet.h"
@@ -92,6 +94,39 @@ QPalette paletteOf(const Colours& colours) {
 class Style : public QProxyStyle {
  public:
   Style() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  /// Boxes to be ticked are seen empty too, and have the accent's colour when they are not.
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    if (element != PE_IndicatorCheckBox) return QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const Colours& colours = Theme::instance().colours();
+    const bool on = option->state.testFlag(State_On);
+    const bool enabled = option->state.testFlag(State_Enabled);
+    const QRectF box = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(option->state.testFlag(State_HasFocus)    ? colours.accent
+                    : option->state.testFlag(State_MouseOver) ? colours.dimText
+                                                              : colours.line);
+    painter->setBrush(!on ? colours.field : enabled ? colours.accent : colours.line);
+    painter->drawRoundedRect(box, 3.0, 3.0);
+    if (on) {
+      const auto at = [&](double x, double y) {
+        return box.topLeft() + QPointF(x * box.width(), y * box.height());
+      };
+      painter->setPen(QPen(enabled ? colours.accentText : colours.dimText, 1.8, Qt::SolidLine, Qt::RoundCap,
+                           Qt::RoundJoin));
+      painter->setBrush(Qt::NoBrush);
+      painter->drawPolyline(QPolygonF{at(0.23, 0.51), at(0.43, 0.71), at(0.79, 0.31)});
+    }
+    painter->restore();
+  }
+
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    constexpr int kBox = 15;  // logical pixels
+    if (metric == PM_IndicatorWidth || metric == PM_IndicatorHeight) return kBox;
+    return QProxyStyle::pixelMetric(metric, option, widget);
+  }
 
   QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override {
     switch (which) {

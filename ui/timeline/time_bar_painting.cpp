@@ -111,10 +111,12 @@ void TimeBar::paintFilm(QPainter& painter) {
   painter.fillRect(QRectF(xOf(0.0), kFilmTop, end - xOf(0.0), kFilmBottom - kFilmTop), colours.field);
   const std::vector<FrameNote>& notes = feed_.notes();
   if (notes.empty()) {
+    const bool empty = session_.document().scene().parts.empty();
     painter.setPen(colours.dimText);
     painter.setFont(font());
-    painter.drawText(QRectF(kTimelineHeader, kFilmTop, width() - kTimelineHeader, kFilmBottom - kFilmTop),
-                     Qt::AlignCenter, tr("Nothing recorded yet. Press Space to simulate."));
+    painter.drawText(
+        QRectF(kTimelineHeader, kFilmTop, width() - kTimelineHeader, kFilmBottom - kFilmTop), Qt::AlignCenter,
+        empty ? tr("Nothing to simulate yet.") : tr("Nothing recorded yet. Press Space to simulate."));
     return;
   }
   shownEnd_ = xOf(notes.back().time);

@@ -17,7 +17,7 @@ namespace ui {
 namespace {
 
 /// px: with more tracks than fit one scrolls.
-constexpr int kMostTrackHeight = 4 * TrackRows::kRowHeight;
+constexpr int kMostTrackHeight = TrackRows::kExpandedHeight + 2 * TrackRows::kRowHeight;
 
 }  // namespace
 
@@ -35,6 +35,7 @@ Timeline::Timeline(Session& session, PlayActions& actions, QWidget* parent)
   column->addWidget(scroll_, 1);
   connect(&session_.document(), &Document::sceneChanged, this, &Timeline::fitAxis);
   connect(&session_.document(), &Document::sceneChanged, this, &Timeline::fitTracks);
+  connect(rows_, &TrackRows::heightChanged, this, &Timeline::fitTracks);
   connect(&feed_, &NoteFeed::reset, this, &Timeline::fitAxis);
   connect(&feed_, &NoteFeed::grown, this, &Timeline::fitAxis);
   fitAxis();
@@ -84,7 +85,8 @@ void Timeline::fitTracks() {
   scroll_->setVisible(shown);
   scroll_->setMinimumHeight(std::min(rows_->sizeHint().height(), kMostTrackHeight));
   const int rest = transport_->sizeHint().height() + bar_->sizeHint().height();
-  setMaximumHeight(shown ? QWIDGETSIZE_MAX : rest);
+  // No higher than what there is to show: the room is the picture's.
+  setMaximumHeight(shown ? rest + rows_->sizeHint().height() : rest);
 }
 
 }  // namespace ui

@@ -68,7 +68,10 @@ void TrackRows::fit() {
   std::erase_if(expanded_, [&](std::size_t track) { return track >= count; });
   if (selected_ && (selected_->track >= count || selected_->key >= tracks()[selected_->track].keys.size()))
     selected_.reset();
-  setFixedHeight(sizeHint().height());
+  if (const int wanted = sizeHint().height(); wanted != height()) {
+    setFixedHeight(wanted);
+    emit heightChanged();
+  }
   update();
 }
 

@@ -33,8 +33,12 @@ class TrackRows : public QWidget {
   /// Where the diamond of a key is; of one component of its value.
   QPointF pointOf(const KeyPlace& place, std::size_t component = 0) const;
 
+  /// Of a row that is closed and of one that shows its curve.
   static constexpr int kRowHeight = 28;
   static constexpr int kExpandedHeight = 104;
+
+ signals:
+  void heightChanged();
 
  protected:
   void paintEvent(QPaintEvent* event) override;

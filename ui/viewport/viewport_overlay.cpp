@@ -84,7 +84,7 @@ void Viewport::paintStatistics(QPainter& painter) const {
   const QFontMetricsF metrics(painter.font());
   double width = 0.0;
   for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
-  const QRectF card(kMargin + 46.0, kMargin, width + 24.0,
+  const QRectF card(kMargin + 46.0, kMargin + 46.0, width + 24.0,
                     metrics.height() * static_cast<double>(lines.size()) + 14.0);
   paintCard(painter, card);
   painter.setPen(Theme::instance().colours().text);

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QTextLayout>
 #include <algorithm>
 
 #include "ui/theme/theme.h"
@@ -12,11 +13,26 @@ namespace {
 constexpr int kGap = 14;
 constexpr int kNarrowest = 190;
 constexpr int kWidest = 300;
-constexpr int kTextHeight = 52;
+constexpr int kTextHeight = 68;
 constexpr qreal kCorner = 6.0;
 
 int pictureHeight(int width) {
   return width * 10 / 16;
+}
+
+/// What does not fit into the second line ends in dots.
+void drawTwoLines(QPainter& painter, const QRectF& place, const QString& text) {
+  QTextLayout layout(text, painter.font());
+  layout.beginLayout();
+  QTextLine line = layout.createLine();
+  line.setLineWidth(place.width());
+  const QFontMetricsF metrics(painter.font());
+  painter.drawText(QPointF(place.left(), place.top() + metrics.ascent()),
+                   text.left(line.textLength()).trimmed());
+  const QString rest = text.mid(line.textLength());
+  layout.endLayout();
+  painter.drawText(QPointF(place.left(), place.top() + metrics.lineSpacing() + metrics.ascent()),
+                   metrics.elidedText(rest, Qt::ElideRight, place.width()));
 }
 
 }  // namespace
@@ -49,6 +65,7 @@ void Card::paintEvent(QPaintEvent*) {
   const QRectF top(whole.left(), whole.top(), whole.width(), pictureHeight(width()));
   painter.save();
   painter.setClipPath(shape);
+  painter.setClipRect(top, Qt::IntersectClip);
   if (picture_.isNull()) {
     painter.fillRect(top, colours.field);
     const QRectF place(top.center() - QPointF(20, 20), QSizeF(40, 40));
@@ -71,8 +88,8 @@ void Card::paintEvent(QPaintEvent*) {
                    QFontMetricsF(bold).elidedText(text(), Qt::ElideRight, words.width()));
   painter.setFont(font());
   painter.setPen(colours.dimText);
-  const QString line = fontMetrics().elidedText(words_, Qt::ElideRight, static_cast<int>(words.width()));
-  painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom, line);
+  const qreal below = QFontMetricsF(bold).height() + 3.0;
+  drawTwoLines(painter, words.adjusted(0.0, below, 0.0, 0.0), words_);
 }
 
 CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {

@@ -65,6 +65,7 @@ class MainWindow : public QMainWindow {
   void rememberLayout() const;
   void recallLayout();
   void useFirstLayout();
+  void toggleProfile(QDockWidget& profile);
 
   void showTitle();
   void showRun();
@@ -96,6 +97,7 @@ class MainWindow : public QMainWindow {
   QLabel* hint_ = nullptr;
   QLabel* state_ = nullptr;
   bool previewProblem_ = false;  ///< the bar shows one of the preview
+  int widthBeforeProfile_ = 0;   ///< of the docks at the left, logical pixels; 0: not known
   QByteArray firstLayout_;       ///< as it comes out of the box
 };
 

@@ -92,19 +92,38 @@ void MainWindow::makeEditors() {
                                  Qt::LeftDockWidgetArea);
   tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("outliner")), profile);
   profile->hide();
-  connect(editorActions_, &EditorActions::profileWanted, profile, [this, profile] {
-    constexpr int kRoomToDraw = 460;  // logical pixels
-    profile->show();
-    profile->raise();
-    if (profile->width() < kRoomToDraw) resizeDocks({profile}, {kRoomToDraw}, Qt::Horizontal);
-    if (profile->height() < kRoomToDraw) resizeDocks({profile}, {kRoomToDraw}, Qt::Vertical);
-  });
+  connect(editorActions_, &EditorActions::profileWanted, this, [this, profile] { toggleProfile(*profile); });
+}
+
+/// Puts it before the outliner, made wide enough to draw; where it is there already, takes it away again.
+void MainWindow::toggleProfile(QDockWidget& profile) {
+  constexpr int kRoomToDraw = 460;  // logical pixels
+  if (profile.isVisible() && !profile.visibleRegion().isEmpty()) {
+    profile.hide();
+    if (widthBeforeProfile_ > 0)
+      resizeDocks({findChild<QDockWidget*>(QStringLiteral("outliner"))}, {widthBeforeProfile_},
+                  Qt::Horizontal);
+    return;
+  }
+  const auto* beside = findChild<QDockWidget*>(QStringLiteral("outliner"));
+  widthBeforeProfile_ = beside->width();
+  profile.show();
+  profile.raise();
+  if (profile.width() < kRoomToDraw) resizeDocks({&profile}, {kRoomToDraw}, Qt::Horizontal);
+  if (profile.height() < kRoomToDraw) resizeDocks({&profile}, {kRoomToDraw}, Qt::Vertical);
 }
 
 void MainWindow::useFirstLayout() {
+  // Logical pixels: names, and two columns of a form; the rest is for the picture.
+  constexpr int kOutlinerWidth = 236;
+  constexpr int kPropertiesWidth = 336;
   restoreState(firstLayout_, kLayoutVersion);
-  for (const char* name : {"outliner", "properties"})
-    findChild<QDockWidget*>(QString::fromLatin1(name))->raise();
+  QList<QDockWidget*> sides;
+  for (const char* name : {"outliner", "properties"}) {
+    sides.append(findChild<QDockWidget*>(QString::fromLatin1(name)));
+    sides.back()->raise();
+  }
+  resizeDocks(sides, {kOutlinerWidth, kPropertiesWidth}, Qt::Horizontal);
 }
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content,
