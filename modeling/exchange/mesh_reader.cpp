@@ -12,6 +12,7 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -167,7 +168,7 @@ std::string oneShortLine(std::string text) {
 
 sim::Result<RawMesh> readMeshApart(const std::filesystem::path& file) {
   std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) return Problem{file.string(), "this file cannot be read now", "try again"};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Problem{file.string(), "this file cannot be read now", "try again"};
   std::fflush(nullptr);
   const pid_t reader = ::fork();
   if (reader == 0) {
