@@ -168,7 +168,9 @@ std::string oneShortLine(std::string text) {
 
 sim::Result<RawMesh> readMeshApart(const std::filesystem::path& file) {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Problem{file.string(), "this file cannot be read now", "try again"};
+  if (::pipe(ends.data()) != 0) return Problem{file.string(), "this file cannot be read now", "try again"};
+  // A program that is started meanwhile must not keep the pipe open.
+  for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
   std::fflush(nullptr);
   const pid_t reader = ::fork();
   if (reader == 0) {
