@@ -42,9 +42,16 @@ struct Collider {
 /// How deep a point is inside, and the way out. depth <= 0: outside, by at least -depth... the exact distance
 /// for floor, sphere and mesh, a lower bound for box and cylinder.
 struct Intrusion {
-  double depth = 0.0;           ///< cm
-  Vec3 normal = Vec3::UnitZ();  ///< unit, out of the collider
+  double depth = 0.0;             ///< cm
+  Vec3 normal = Vec3::UnitZ();    ///< unit, out of the collider
+  std::uint32_t nearest = kNone;  ///< triangle of a mesh
 };
-Intrusion intrusion(const Collider& collider, const Vec3& point);
+/// `near`: a triangle that may be the nearest, with which it is found sooner.
+Intrusion intrusion(const Collider& collider, const Vec3& point, std::uint32_t near = kNone);
+
+/// cm: no node is let deeper than about this, however fast it comes or heavy what presses on it: well short
+/// of where the way out leads to the other side. Infinite for a floor, which has no other side, and for a
+/// closed mesh that is inside out.
+double deepest(const Collider& collider);
 
 }  // namespace sim

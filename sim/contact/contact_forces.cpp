@@ -12,6 +12,10 @@ namespace {
 constexpr std::size_t kLookGrain = 1024;
 constexpr std::size_t kPushGrain = 64;
 
+/// Of the skin around colliders: more than any force adds to a node's way in a step, since springs change a
+/// stable step's way by less than their own extension.
+constexpr double kForcesShare = 0.1;
+
 /// Of a clearance, what is left by the rounding of a long odometer.
 constexpr double kSurely = 1.0 - 1e-9;
 
@@ -92,6 +96,7 @@ void Contacts::prepare(const Moment& moment, Forces& forces) const {
   if (!sameRows) {
     forces.looksOfRebuild = rebuilds_;
     forces.looks.assign(rows_.size(), {});
+    forces.inside.assign(nearColliders_.size(), {});
     forces.touching.resize(entries_.size());
   }
   if (sameRows && forces.watchedVersion == moment.awakeVersion && !forces.watched.empty()) return;
@@ -112,7 +117,7 @@ void Contacts::look(std::uint32_t index, const Moment& moment, Forces& forces) c
   const double* const z = moment.motion.position.axis(2);
   const Vec3 here(x[row.node], y[row.node], z[row.node]);
   double nearest = std::numeric_limits<double>::infinity();  // squared
-  found = {};
+  found = {.room = std::numeric_limits<double>::infinity()};
   for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
     const Entry& entry = entries_[e];
     const double dx = x[entry.other] - here.x();
@@ -127,9 +132,13 @@ void Contacts::look(std::uint32_t index, const Moment& moment, Forces& forces) c
   // Both nodes may come; of node and collider each has its own share of the odometer.
   double clearance = 0.5 * (std::sqrt(nearest) - static_cast<double>(row.reach));
   for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
-    const double depth = intrusion(moment.colliders[nearColliders_[c]].shape, here).depth;
+    const Collider& collider = moment.colliders[nearColliders_[c]].shape;
+    Intrusion& inside = forces.inside[c];
+    inside = intrusion(collider, here, inside.nearest);
+    const double depth = inside.depth;
     if (depth > 0.0) ++found.active;
     clearance = std::min(clearance, -depth);
+    found.room = std::min(found.room, deepest(collider) - depth);
   }
   if (found.touching + found.active == 0) found.clearUntil = odometer_ + kSurely * clearance - moment.lead;
 }
@@ -165,10 +174,10 @@ double Contacts::colliderStiffness(NodeIndex node, const Collider& collider,
          materials[network_->nodeMaterials[node]].stiffnessScale;
 }
 
-Contacts::Push Contacts::colliderPush(NodeIndex node, const MovingCollider& collider, const Moment& moment,
-                                      std::span<const RowLook> looks, ColliderWork& work) const {
+Contacts::Push Contacts::colliderPush(NodeIndex node, const MovingCollider& collider, const Intrusion& inside,
+                                      const Moment& moment, std::span<const RowLook> looks,
+                                      ColliderWork& work) const {
   const Vec3 here = moment.motion.position.get(node);
-  const Intrusion inside = intrusion(collider.shape, here);
   const double mass = network_->masses[node];
   if (inside.depth <= 0.0 || !std::isfinite(mass)) return {};
   const Vec3 carried = collider.velocityAt(here);
@@ -200,7 +209,8 @@ Contacts::ColliderWork Contacts::pushRow(std::uint32_t index, const Moment& mome
     add(pairPush(row.node, entries_[e], constants_[e], moment, forces.looks));
   }
   for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c)
-    add(colliderPush(row.node, moment.colliders[nearColliders_[c]], moment, forces.looks, work));
+    add(colliderPush(row.node, moment.colliders[nearColliders_[c]], forces.inside[c], moment, forces.looks,
+                     work));
   forces.total.set(row.node, sum.total);
   forces.lossy.set(row.node, sum.lossy);
   return work;
@@ -243,6 +253,31 @@ Contacts::ColliderWork Contacts::computeForces(const Moment& moment, Forces& for
     sum.dissipated += work.dissipated;
   }
   return sum;
+}
+
+std::vector<Contacts::NearCollider> Contacts::nearLimits(const Moment& moment, const Forces& forces,
+                                                         double step, double steps) const {
+  std::vector<NearCollider> near;
+  if (!collidersEnd_) return near;
+  for (const std::uint32_t r : forces.watched) {
+    const Row& row = rows_[r];
+    if (row.firstCollider == row.lastCollider) continue;
+    const RowLook& found = forces.looks[r];
+    // What pushes has been looked at just now; the others are clear by what is left of their clearance.
+    const bool pushes = found.touching + found.active > 0;
+    const double room = pushes ? found.room : found.clearUntil - odometer_;
+    const std::size_t count = row.lastCollider - row.firstCollider;
+    const std::span colliders(nearColliders_.data() + row.firstCollider, count);
+    const std::span inside(forces.inside.data() + row.firstCollider, count);
+    const Vec3 here = moment.motion.position.get(row.node);
+    const Vec3 velocity = moment.motion.velocity.get(row.node);
+    double fastest = 0.0;
+    for (const std::uint32_t c : colliders)
+      fastest = std::max(fastest, (velocity - moment.colliders[c].velocityAt(here)).norm());
+    if (room < kForcesShare * colliderSkin_ + steps * step * fastest)
+      near.push_back({row.node, colliders, inside});
+  }
+  return near;
 }
 
 double Contacts::energy(const Moment& moment) const {

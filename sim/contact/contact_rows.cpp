@@ -25,9 +25,15 @@ constexpr double kRounding = 1.0 + 1e-9;
 /// Nodes of one fragment that were nearer than this, in natural lengths, when at rest are no self contact.
 constexpr double kSelfRestShare = 2.0;
 constexpr std::size_t kCubesPerTask = 256;
+/// Where steps are long, rows cover so many of them around what a node may come out of on another side.
+constexpr double kStepsInSkin = 4.0;
 
 double distanceOf(const Motion& motion, NodeIndex i, NodeIndex j) {
   return (motion.position.get(j) - motion.position.get(i)).norm();
+}
+
+bool hasAnotherSide(const MovingCollider& collider) {
+  return std::isfinite(deepest(collider.shape));
 }
 
 }  // namespace
@@ -103,7 +109,7 @@ void Contacts::age(const Motion& motion, double travel) {
   if (stepsToRebuild_ > 0 && --stepsToRebuild_ == 0) stale_ = true;
   if (stale_ || !(pairsMayMeet_ || hasColliders_)) return;
   slack_ -= travel;
-  if (slack_ > 0.0) return;
+  if (slack_ > nextTravel(travel)) return;
 
   // The bound ran out: look how far nodes really are from where they would be, had all gone on together.
   const SharedMotion moved(reference_, motion.position);
@@ -113,7 +119,7 @@ void Contacts::age(const Motion& motion, double travel) {
       hasColliders_ ? colliderClearance_ - moved.furthest() - colliderTravel_ : unlimited;
   // Two nodes close in on each other by both their ways.
   slack_ = std::min(0.5 * pairRoom, colliderRoom);
-  if (slack_ <= 0.0) stale_ = true;
+  if (slack_ <= nextTravel(travel)) stale_ = true;
 }
 
 bool Contacts::mayTouch(NodeIndex i, NodeIndex j, const Components& components,
@@ -195,30 +201,32 @@ void Contacts::collectContacts(const Motion& motion, std::span<const NodeIndex> 
 
 /// One flag a fragment: some of its nodes may be near the collider. No depth changes by more than the way
 /// between two points. Keeps count of how far the others are at least.
-std::vector<std::uint8_t> Contacts::fragmentsNear(const Collider& collider, const FragmentBoxes& boxes,
-                                                  std::size_t fragmentCount) {
+std::vector<std::uint8_t> Contacts::fragmentsNear(const Collider& collider, double skin,
+                                                  const FragmentBoxes& boxes, std::size_t fragmentCount) {
   std::vector<std::uint8_t> near(fragmentCount, 0);
   for (FragmentId fragment = 0; fragment < fragmentCount; ++fragment) {
     const FragmentBoxes::Box& box = boxes.of(fragment);
     if (box.isEmpty()) continue;
     const double radius = 0.5 * kRounding * box.diagonal().norm();
     const double clearance = -intrusion(collider, box.center()).depth - radius;
-    near[fragment] = clearance < kRounding * colliderSkin_ ? 1 : 0;
+    near[fragment] = clearance < kRounding * skin ? 1 : 0;
     if (near[fragment] == 0) colliderClearance_ = std::min(colliderClearance_, clearance);
   }
   return near;
 }
 
-std::vector<Contacts::NearCollider> Contacts::collectColliders(const Motion& motion,
-                                                               const Components& components,
-                                                               const FragmentBoxes& boxes,
-                                                               std::span<const MovingCollider> colliders) {
-  std::vector<NearCollider> near;
+std::vector<Contacts::NodeAtCollider> Contacts::collectColliders(const Motion& motion,
+                                                                 const Components& components,
+                                                                 const FragmentBoxes& boxes,
+                                                                 std::span<const MovingCollider> colliders,
+                                                                 double travel) {
+  std::vector<NodeAtCollider> near;
   colliderClearance_ = std::numeric_limits<double>::max();
+  const double skin = std::max(colliderSkin_, collidersEnd_ ? kStepsInSkin * travel : 0.0);
   for (std::uint32_t c = 0; c < colliders.size(); ++c) {
     if (!colliders[c].active) continue;
     const Collider& collider = colliders[c].shape;
-    const auto fragments = fragmentsNear(collider, boxes, components.births().size());
+    const auto fragments = fragmentsNear(collider, skin, boxes, components.births().size());
     if (boxesFirst_ && std::find(fragments.begin(), fragments.end(), 1) == fragments.end()) continue;
     const bool plane = collider.shape == ColliderShape::floor;
     const Vec3 normal = collider.rotation * Vec3::UnitZ();
@@ -228,7 +236,7 @@ std::vector<Contacts::NearCollider> Contacts::collectColliders(const Motion& mot
       if (boxesFirst_ && !nearby) continue;
       const Vec3 position = motion.position.get(node);
       const double clearance = plane ? normal.dot(position) - offset : -intrusion(collider, position).depth;
-      if (clearance < colliderSkin_) {
+      if (clearance < skin) {
         near.push_back({node, c});
       } else if (nearby) {
         colliderClearance_ = std::min(colliderClearance_, clearance);
@@ -236,7 +244,7 @@ std::vector<Contacts::NearCollider> Contacts::collectColliders(const Motion& mot
     }
   }
   if (colliders.size() < 2) return near;
-  std::stable_sort(near.begin(), near.end(), [](const NearCollider& left, const NearCollider& right) {
+  std::stable_sort(near.begin(), near.end(), [](const NodeAtCollider& left, const NodeAtCollider& right) {
     return left.node < right.node;
   });
   return near;
@@ -262,7 +270,7 @@ void Contacts::fillEntries(const std::vector<Candidate>& pairs, std::vector<std:
   }
 }
 
-void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near) {
+void Contacts::fillRows(const std::vector<Candidate>& pairs, const std::vector<NodeAtCollider>& near) {
   rows_.clear();
   entries_.clear();
   nearColliders_.clear();
@@ -315,9 +323,10 @@ void Contacts::deduce() {
 }
 
 void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
-                       std::span<const MovingCollider> colliders) {
+                       std::span<const MovingCollider> colliders, double travel) {
   const bool several = settings_.between && components.births().size() > 1;
   hasColliders_ = std::ranges::any_of(colliders, &MovingCollider::active);
+  collidersEnd_ = std::ranges::any_of(colliders, hasAnotherSide);
   std::vector<Candidate> pairs;
   collectBroken(motion, components, pairs);
   // Nodes without bonds have no size.
@@ -327,7 +336,7 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
     const std::vector<NodeIndex> nodes = nodesToCompare(motion, components, boxes);
     if (!nodes.empty()) collectContacts(motion, nodes, components, breakage, pairs);
   }
-  fillRows(pairs, collectColliders(motion, components, boxes, colliders));
+  fillRows(pairs, collectColliders(motion, components, boxes, colliders, travel));
   pairsMayMeet_ = several || settings_.self || !broken_.empty();
   if (pairsMayMeet_ || hasColliders_) reference_ = motion.position;
   colliderTravel_ = 0.0;
@@ -404,7 +413,7 @@ void Contacts::save(ByteWriter& writer) const {
 }
 
 /// False where the bytes cannot have come from save() of such a network.
-bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
+bool Contacts::load(ByteReader& reader, std::span<const MovingCollider> colliders) {
   reader.readVector(rows_);
   reader.readVector(entries_);
   reader.readVector(nearColliders_);
@@ -425,6 +434,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   pairsMayMeet_ = flags[0] != 0;
   hasColliders_ = flags[1] != 0;
   stale_ = flags[2] != 0;
+  collidersEnd_ = std::ranges::any_of(colliders, hasAnotherSide);
 
   const std::size_t nodes = network_->nodeCount();
   const std::size_t bonds = network_->bondCount();
@@ -434,7 +444,7 @@ bool Contacts::load(ByteReader& reader, std::size_t colliderCount) {
   };
   bool proper = reader.ok() && std::all_of(rows_.begin(), rows_.end(), properRow) &&
                 std::all_of(nearColliders_.begin(), nearColliders_.end(),
-                            [&](std::uint32_t c) { return c < colliderCount; });
+                            [&](std::uint32_t c) { return c < colliders.size(); });
   proper = proper && std::all_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
              return entry.other < nodes && (entry.brokenBond == kNone || entry.brokenBond < bonds);
            });

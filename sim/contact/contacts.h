@@ -8,24 +8,13 @@
 #include "sim/base/bytes.h"
 #include "sim/contact/fragment_boxes.h"
 #include "sim/contact/hash_grid.h"
+#include "sim/contact/moving_collider.h"
 #include "sim/dynamics/methods/tangent.h"
 #include "sim/dynamics/settings.h"
 #include "sim/fracture/breakage.h"
 #include "sim/fracture/components.h"
 
 namespace sim {
-
-/// A collider as it is at one moment, moved by its tracks.
-struct MovingCollider {
-  Collider shape;
-  Vec3 velocity = Vec3::Zero();         ///< of its origin, cm/s
-  Vec3 angularVelocity = Vec3::Zero();  ///< rad/s
-  bool active = true;                   ///< else it is as if it were not there
-
-  Vec3 velocityAt(const Vec3& point) const {
-    return velocity + angularVelocity.cross(point - shape.position);
-  }
-};
 
 /// What pushes on nodes from outside the lattice: nodes of other fragments, broken bonds in compression,
 /// colliders.
@@ -77,8 +66,9 @@ class Contacts {
   /// Remembers the pairs that contacts of the same network remember, under other settings or among other
   /// colliders. Rows are stale.
   void takeOver(const Contacts& other);
+  /// `travel`: no node goes further in a step, as far as is known, cm.
   void rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
-               std::span<const MovingCollider> colliders);
+               std::span<const MovingCollider> colliders, double travel = 0.0);
 
   /// No row can push: nothing to do this step.
   bool quiet() const { return rows_.empty() && fresh_.empty(); }
@@ -101,11 +91,14 @@ class Contacts {
     }
   }
   /// The next age() by such a travel (cm) may look at all positions.
-  bool looksAfter(double travel) const { return stepsToRebuild_ > 0 || stale_ || slack_ - travel <= 0.0; }
+  bool looksAfter(double travel) const {
+    return stepsToRebuild_ > 0 || stale_ || slack_ - travel <= nextTravel(travel);
+  }
 
   /// What was found of a row when it was last looked at.
   struct RowLook {
     double clearUntil = 0.0;     ///< cm of the odometer: till then nothing in the row can push
+    double room = 0.0;           ///< cm that the node may yet go into the colliders, of a row that may push
     std::uint32_t touching = 0;  ///< entries that push
     std::uint32_t active = 0;    ///< contacts that push, among which friction shares the node's mass
   };
@@ -124,6 +117,7 @@ class Contacts {
 
     std::uint64_t looksOfRebuild = 0;     ///< whose rows the looks are about
     std::vector<RowLook> looks;           ///< by row
+    std::vector<Intrusion> inside;        ///< by collider of a row: when the row was last looked at
     std::uint64_t watchedVersion = 0;     ///< of Moment::awake
     std::vector<std::uint32_t> watched;   ///< rows of nodes that are awake
     std::vector<std::uint32_t> touching;  ///< entries, at the places of their row
@@ -131,6 +125,7 @@ class Contacts {
     std::vector<ColliderWork> work;       ///< by busy row
     void forgetRows() {
       looks.clear();
+      inside.clear();
       watched.clear();
     }
   };
@@ -138,6 +133,17 @@ class Contacts {
   /// !quiet(), else clear().
   ColliderWork computeForces(const Moment& moment, Forces& forces) const;
   static void clear(Forces& forces);
+
+  /// A node near colliders.
+  struct NearCollider {
+    NodeIndex node = kNone;
+    std::span<const std::uint32_t> colliders;
+    std::span<const Intrusion> inside;  ///< each of them, there or nearby
+  };
+  /// In order, nodes moved by forces that within `steps` steps of `step` seconds each may go deeper into a
+  /// collider than deepest(), going on as they do. `forces` are those of the moment.
+  std::vector<NearCollider> nearLimits(const Moment& moment, const Forces& forces, double step,
+                                       double steps) const;
   /// Lets rho grow where pairs are apart. Once a step; forces of the same moment do not depend on it.
   void settle(const Motion& motion);
 
@@ -176,7 +182,7 @@ class Contacts {
   std::uint64_t searches() const { return searches_; }
 
   void save(ByteWriter& writer) const;
-  bool load(ByteReader& reader, std::size_t colliderCount);
+  bool load(ByteReader& reader, std::span<const MovingCollider> colliders);
   std::size_t memoryBytes() const;
 
  private:
@@ -203,7 +209,7 @@ class Contacts {
     NodeIndex i, j;
     Entry entry;
   };
-  struct NearCollider {
+  struct NodeAtCollider {
     NodeIndex node;
     std::uint32_t collider;
   };
@@ -222,13 +228,13 @@ class Contacts {
                                         const FragmentBoxes& boxes) const;
   void collectContacts(const Motion& motion, std::span<const NodeIndex> nodes, const Components& components,
                        const Breakage& breakage, std::vector<Candidate>& pairs);
-  std::vector<std::uint8_t> fragmentsNear(const Collider& collider, const FragmentBoxes& boxes,
+  std::vector<std::uint8_t> fragmentsNear(const Collider& collider, double skin, const FragmentBoxes& boxes,
                                           std::size_t fragmentCount);
-  std::vector<NearCollider> collectColliders(const Motion& motion, const Components& components,
-                                             const FragmentBoxes& boxes,
-                                             std::span<const MovingCollider> colliders);
+  std::vector<NodeAtCollider> collectColliders(const Motion& motion, const Components& components,
+                                               const FragmentBoxes& boxes,
+                                               std::span<const MovingCollider> colliders, double travel);
   void fillEntries(const std::vector<Candidate>& pairs, std::vector<std::uint32_t>& firstEntry);
-  void fillRows(const std::vector<Candidate>& pairs, const std::vector<NearCollider>& near);
+  void fillRows(const std::vector<Candidate>& pairs, const std::vector<NodeAtCollider>& near);
   const BrokenPair* findBroken(BondIndex bond) const;
   void deduce();
   static void savePairs(ByteWriter& writer, const std::vector<BrokenPair>& pairs);
@@ -252,8 +258,8 @@ class Contacts {
   void look(std::uint32_t row, const Moment& moment, Forces& forces) const;
   Push pairPush(NodeIndex node, const Entry& entry, const PairConstants& unscaled, const Moment& moment,
                 std::span<const RowLook> looks) const;
-  Push colliderPush(NodeIndex node, const MovingCollider& collider, const Moment& moment,
-                    std::span<const RowLook> looks, ColliderWork& work) const;
+  Push colliderPush(NodeIndex node, const MovingCollider& collider, const Intrusion& inside,
+                    const Moment& moment, std::span<const RowLook> looks, ColliderWork& work) const;
   ColliderWork pushRow(std::uint32_t row, const Moment& moment, Forces& forces) const;
   void addPairTangent(NodeIndex node, const Entry& entry, const Moment& moment,
                       std::span<const RowLook> looks, std::vector<Tangent>& tangents) const;
@@ -267,6 +273,10 @@ class Contacts {
   /// Pairs further apart than this share of the largest natural length beyond their own do not count in the
   /// stable step, which is chosen again before they can have met.
   static constexpr double kChoiceShare = 0.1;
+
+  /// cm: where colliders have another side, rows are built again before the next step may lead through one
+  /// that is in none.
+  double nextTravel(double travel) const { return collidersEnd_ ? travel : 0.0; }
 
   const Network* network_;
   ContactSettings settings_;
@@ -294,6 +304,7 @@ class Contacts {
   bool pairsMayMeet_ =
       false;  ///< there are fragments, broken bonds or self contact to keep rows of pairs for
   bool hasColliders_ = false;
+  bool collidersEnd_ = false;  ///< some collider has another side to come out on
   bool stale_ = true;
   double odometer_ = 0.0;  ///< cm that nodes and colliders have travelled at most since the rows were built
   double odometerAtChoice_ = 0.0;  ///< cm: when the step was chosen

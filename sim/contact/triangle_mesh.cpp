@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "sim/base/parallel.h"
+
 namespace sim {
 namespace {
 
@@ -94,6 +96,7 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>
   }
   findNormals();
   grow();
+  if (closed()) measureThickness();
 }
 
 void TriangleMesh::findNormals() {
@@ -186,9 +189,76 @@ void TriangleMesh::look(std::uint32_t triangle, const Vec3& point, Candidate& be
     best = {squared, on, triangle};
 }
 
-TriangleMesh::Nearest TriangleMesh::nearest(const Vec3& point) const {
+/// From a point along a unit vector.
+struct TriangleMesh::Ray {
+  Vec3 from;
+  Vec3 along;
+  Vec3 inverse;  ///< of each coordinate of `along`
+
+  /// Of the ray's way, where it meets the box; infinite where it does not.
+  double way(const Branch& branch) const {
+    const Vec3 low = (branch.low - from).cwiseProduct(inverse);
+    const Vec3 high = (branch.high - from).cwiseProduct(inverse);
+    const double enter = std::max(0.0, low.cwiseMin(high).maxCoeff());
+    return enter <= low.cwiseMax(high).minCoeff() ? enter : std::numeric_limits<double>::infinity();
+  }
+  /// Where it meets the triangle (Moeller and Trumbore 1997), coming from its inside.
+  double way(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    const Vec3 across = along.cross(c - a);
+    const double determinant = across.dot(b - a);
+    if (!(determinant < 0.0)) return std::numeric_limits<double>::infinity();
+    const double u = across.dot(from - a) / determinant;
+    const Vec3 other = (from - a).cross(b - a);
+    const double v = other.dot(along) / determinant;
+    const double way = other.dot(c - a) / determinant;
+    const bool within = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && way > 0.0;
+    return within ? way : std::numeric_limits<double>::infinity();
+  }
+};
+
+double TriangleMesh::wayThrough(std::uint32_t triangle) const {
+  const Triangle& corners = triangles_[triangle];
+  const Vec3 inward = -faceNormals_[triangle];
+  if (inward.isZero(0.0)) return std::numeric_limits<double>::infinity();
+  // A coordinate of zero would make the way to a box it stands on no number.
+  const Vec3 along = (inward.array() == 0.0).select(1e-30, inward);
+  const Ray ray{(points_[corners[0]] + points_[corners[1]] + points_[corners[2]]) / 3.0, inward,
+                along.cwiseInverse()};
+  double shortest = std::numeric_limits<double>::infinity();
+  std::array<std::uint32_t, 64> waiting{};
+  std::size_t count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const Branch& branch = branches_[waiting[--count]];
+    if (ray.way(branch) >= shortest) continue;
+    for (std::uint32_t i = 0; i < branch.count; ++i) {
+      const Triangle& other = triangles_[order_[branch.first + i]];
+      if (order_[branch.first + i] != triangle)
+        shortest = std::min(shortest, ray.way(points_[other[0]], points_[other[1]], points_[other[2]]));
+    }
+    if (branch.count > 0) continue;
+    waiting[count++] = branch.first;
+    waiting[count++] = branch.first + 1;
+  }
+  return shortest;
+}
+
+void TriangleMesh::measureThickness() {
+  constexpr double kLeastShare = 1e-3;
+  constexpr std::size_t kGrain = 256;
+  std::vector<double> ways(triangles_.size());
+  parallelRanges(ways.size(), kGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) ways[t] = wayThrough(static_cast<std::uint32_t>(t));
+  });
+  const double extent = box().diagonal().norm();
+  const double least = *std::min_element(ways.begin(), ways.end());
+  leastThickness_ = std::isfinite(least) ? std::max(least, kLeastShare * extent) : 0.0;
+}
+
+TriangleMesh::Nearest TriangleMesh::nearest(const Vec3& point, std::uint32_t near) const {
   assert(!triangles_.empty());
   Candidate best;
+  if (near < triangles_.size()) look(near, point, best);
   // Halving four thousand million triangles takes 32 levels; each leaves one sibling to be looked at later.
   std::array<std::uint32_t, 64> waiting{};
   std::size_t count = 0;

@@ -29,6 +29,9 @@ namespace stdx = std::experimental;
 using Real = stdx::native_simd<double>;
 using Mask = Real::mask_type;
 constexpr std::size_t kWidth = Real::size();
+/// cm^2: lost in the rounding of any distance but none at all, which what is pressed flat may have. Such a
+/// bond has no direction and no force.
+constexpr double kNoDistance = 1e-30;
 constexpr unsigned kAllLanes = (1U << kWidth) - 1U;
 
 /// 1 in the lanes whose bit is set: masks are made by comparing a row of this.
@@ -175,7 +178,8 @@ SMITHEREENS_INLINE void addSlot(const KernelStep& step, const BondSlot& slot, st
   const Triple there = loadThere(step.now.position);
   Constants constants = constantsOf(step, slot, lane);
   const Triple apart{there.x - position.x, there.y - position.y, there.z - position.z};
-  const Real squared = multiplyAdd(apart.z, apart.z, multiplyAdd(apart.y, apart.y, apart.x * apart.x));
+  const Real squared = multiplyAdd(apart.z, apart.z,
+                                   multiplyAdd(apart.y, apart.y, multiplyAdd(apart.x, apart.x, kNoDistance)));
   Real inverse = inverseRoot(squared);
   if (slot.plastic && step.flowing)
     flowSlot(step, slot, lane, load(kLaneTable.row[bits]) > 0.5, squared * inverse, constants, sum);

@@ -148,7 +148,9 @@ SMITHEREENS_INLINE void addSingleSlot(const KernelStep& step, const BondSlot& sl
   const SingleTriple both{apart.x + bond.x, apart.y + bond.y, apart.z + bond.z};
   const SingleConstants constants = singleConstantsOf(step, slot, lane);
   const Single change = dot(moved, both);
-  const Single squared = multiplyAdd(constants.restLength, constants.restLength, change);
+  // What is pressed to a thousandth of its length or less is rounding.
+  const Single squared = stdx::max(multiplyAdd(constants.restLength, constants.restLength, change),
+                                   1e-6F * constants.restLength * constants.restLength);
   Single inverse = inverseRoot(squared);
   Single elastic =
       quotient(constants.stiffness * change * inverse, multiplyAdd(squared, inverse, constants.restLength));

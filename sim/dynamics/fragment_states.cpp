@@ -326,6 +326,18 @@ void FragmentStates::noteNewRows(double time) {
   apply();
 }
 
+void FragmentStates::melt(std::span<const FragmentId> fragments, double time) {
+  time_ = time;
+  std::erase_if(bodies_, [&](const RigidBody& body) {
+    if (std::ranges::find(fragments, body.fragment()) == fragments.end()) return false;
+    waitLonger(records_[body.fragment()]);
+    melt(body);
+    return true;
+  });
+  placeTouched();
+  apply();
+}
+
 void FragmentStates::meltEverything(double time) {
   time_ = time;
   for (const RigidBody& body : bodies_) melt(body);

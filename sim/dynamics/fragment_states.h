@@ -58,6 +58,7 @@ class FragmentStates {
   /// Forces are about to change everywhere.
   void wakeEverything(double time);
   void meltEverything(double time);
+  void melt(std::span<const FragmentId> fragments, double time);
 
   /// Carries the rigid bodies through a step: kicked by gravity and contacts for `kick`, moved for `drift`
   /// seconds. Takes what pushes their nodes out of the forces; returns the work against friction and contact

@@ -149,7 +149,7 @@ void Stepper::refreshContacts() {
     return;
   }
   fragments_.placeBodies();
-  contacts_.rebuild(now_, components_, breakage_, controls_.colliders());
+  contacts_.rebuild(now_, components_, breakage_, controls_.colliders(), step_ * fastestNow());
   ++work_.neighbourLists;
   work_.contactSearches = contacts_.searches();
   fragments_.noteNewRows(time());
@@ -310,6 +310,7 @@ Result<double> Stepper::moveByLeapfrog() {
     ledger_.addOutsideWork(work.outside);
     ledger_.addDissipated(work.dissipated);
     work_.contactPairs += contacts_.pairCount();
+    stopAtColliders();
   }
   ledger_.addDissipated(
       fragments_.moveBodies(kick(), step_, settings_.method == Method::forwardEuler, forces_));
@@ -372,6 +373,7 @@ Status Stepper::stepInArena() {
   followTolerance();
   if (moving && skipsFragments() && work_.steps % FragmentStates::kStepsPerReview == 0)
     fragments_.review(time(), step_);
+  meltStopped();
   if (latticeMoves() != latticeCounts_) chooseStep();
   fitReference();
   if (moving && (!settings_.skip.ledger || work_.steps % kStepsPerLedger == 0)) return watchEnergy();

@@ -84,6 +84,19 @@ class Stepper {
   Status stepInArena();
   /// Moves now_ one step on; gives how far a node went at most, cm.
   Result<double> moveByLeapfrog();
+  // Colliders that nodes do not get through (stepper_stops.cpp).
+  struct StopForce {
+    Vec3 force = Vec3::Zero();  ///< dyn
+    double work = 0.0;          ///< erg, of moving colliders
+    bool melts = false;         ///< instead, the rigid piece is to deform
+  };
+  Vec3 velocityAhead(NodeIndex node) const;
+  bool movesByItself(NodeIndex node) const;
+  StopForce stopForce(const Contacts::NearCollider& near) const;
+  bool runsIntoStop(const Contacts::NearCollider& near) const;
+  void stopAtColliders();
+  void meltStopped();
+  bool stopTrial(const Rates& atEnd, double length);
   // One-step methods (stepper_one_step.cpp).
   class TrialWorld;
   Result<double> moveByOneStep();
@@ -179,7 +192,8 @@ class Stepper {
   FragmentStates fragments_;
   /// None: forces are double. Its scratch is written wherever forces are computed.
   std::unique_ptr<ReferenceFrames> reference_;
-  std::vector<NodeIndex> carried_;  ///< held nodes that move
+  std::vector<NodeIndex> carried_;   ///< held nodes that move
+  std::vector<FragmentId> stopped_;  ///< rigid ones that are to deform from the next step on
   Contacts::Forces forces_;
   std::vector<BlockReport> reports_;
   std::unique_ptr<OneStepMethod> oneStep_;  ///< none: the method is of the leapfrog family

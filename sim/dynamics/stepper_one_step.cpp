@@ -179,6 +179,7 @@ Result<double> Stepper::moveByOneStep() {
     *flow = locateBreak(bonds, *flow, length);
     ratesAt(next_, length, endRates_);
   }
+  if (stopTrial(endRates_, length)) ratesAt(next_, length, endRates_);
   double fastest = 0.0;
   if (const Status healthy = checkSpeeds(fastest); !healthy) return healthy.problem();
   setStep(length);

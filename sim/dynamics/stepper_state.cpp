@@ -149,7 +149,7 @@ Status Stepper::restore(std::span<const std::byte> checkpoint) {
   Contacts contacts = contacts_;
   Ledger ledger = ledger_;
   FragmentStates::Saved states;
-  if (!contacts.load(reader, controls_.colliders().size()) ||
+  if (!contacts.load(reader, controls_.colliders()) ||
       !FragmentStates::read(reader, network_.nodeCount(), fragments.size(), states))
     return kDamaged;
   Precision precision{};
