@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/frames.h"
+#include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
 #include "modeling/exchange/export.h"
 
@@ -19,10 +20,11 @@ struct ExportOptions {
   std::string format;
   std::string out;
   std::string frames = ":";
+  sim::LooseNodes looseNodes = sim::LooseNodes::shards;
 };
 
 sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& take, const FrameRange& range,
-                  const std::string& path) {
+                  const ExportOptions& options) {
   Progress progress("export");
   const auto show = [&](double share) {
     progress.show(share);
@@ -30,9 +32,12 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
   };
   std::string remarks;
   const auto remark = [&](const std::string& text) { remarks += text + "\n"; };
-  auto status = format.write(
-      take,
-      {.path = path, .firstFrame = range.first, .lastFrame = range.last, .progress = show, .remark = remark});
+  auto status = format.write(take, {.path = options.out,
+                                    .firstFrame = range.first,
+                                    .lastFrame = range.last,
+                                    .progress = show,
+                                    .remark = remark,
+                                    .looseNodes = options.looseNodes});
   if (status) std::cout << remarks;
   return status;
 }
@@ -45,7 +50,7 @@ ExitStatus exportTake(const ExportOptions& options) {
   if (const auto some = needFrames(**take, options.take); !some) return complain(some.problem());
   const auto range = parseFrameRange(options.frames, **take);
   if (!range) return complain(range.problem());
-  const auto written = write(*format, **take, *range, options.out);
+  const auto written = write(*format, **take, *range, options);
   return written ? ExitStatus::done : complain(written.problem());
 }
 
@@ -67,6 +72,7 @@ void addExportCommand(CLI::App& program, ExitStatus& status) {
                    "File; a format of one file a frame numbers them, as in FILE.0012.obj")
       ->required();
   command->add_option("--frames", options->frames, "Frames A:B, counted from 0 (default: all)");
+  addLooseNodes(*command, options->looseNodes);
   command->callback([options, &status] { status = exportTake(*options); });
 }
 

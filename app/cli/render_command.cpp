@@ -15,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/frames.h"
+#include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
 #include "modeling/exchange/export.h"
 #include "ui/picture/take_pictures.h"
@@ -184,18 +185,7 @@ ExitStatus render(const RenderOptions& options) {
 }
 
 void addLooks(CLI::App& command, RenderOptions& options) {
-  static const std::map<std::string, sim::LooseNodes> kLooseNodes{
-      {"shards", sim::LooseNodes::shards},
-      {"tetrahedra", sim::LooseNodes::tetrahedra},
-      {"spheres", sim::LooseNodes::spheres},
-      {"given-to-neighbours", sim::LooseNodes::givenToNeighbours}};
-  command
-      .add_option(
-          "--loose-nodes", options.choices.looseNodes,
-          "How nodes are drawn that nothing holds any more: shards that fill what their cells filled, "
-          "tetrahedra, spheres, or not at all, their material given to the fragments beside them")
-      ->transform(CLI::CheckedTransformer(kLooseNodes))
-      ->default_str("shards");
+  addLooseNodes(command, options.choices.looseNodes);
   command
       .add_option("--shutter", options.choices.shutter,
                   "Share of a frame's time that the shutter is open: what moves is blurred")

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/network/surface_mesh.h"
 #include "sim/take/take.h"
 
 namespace modeling {
@@ -18,6 +19,8 @@ struct ExportRequest {
   std::function<bool(double)> progress;
   /// Told, in a sentence, what a person should know of what was written.
   std::function<void(const std::string&)> remark = {};
+  /// Of formats that hold a surface.
+  sim::LooseNodes looseNodes = sim::LooseNodes::shards;
 };
 
 /// A file format that takes can be written in. Every file appears whole or not at all.

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/fragment_motion.h"
 #include "modeling/exchange/gltf_file.h"
+#include "modeling/exchange/gltf_material.h"
 #include "modeling/exchange/key_reduction.h"
 #include "modeling/exchange/part_parameters.h"
 #include "modeling/exchange/take_scene.h"
@@ -43,10 +45,6 @@ void put(std::vector<float>& list, const Numbers& numbers) {
   list.insert(list.end(), numbers.begin(), numbers.end());
 }
 
-double linear(double sRgb) {
-  return sRgb <= 0.04045 ? sRgb / 12.92 : std::pow((sRgb + 0.055) / 1.055, 2.4);
-}
-
 Json numberOrNull(double number) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
@@ -67,11 +65,12 @@ using Slot = std::pair<sim::MaterialIndex, bool>;
 
 class GlbWriter {
  public:
-  GlbWriter(const sim::TakeReader& take, const Scene& scene, const FragmentMotion& motion)
+  GlbWriter(const sim::TakeReader& take, const Scene& scene, const FragmentMotion& motion,
+            sim::LooseNodes looseNodes)
       : take_(take),
         scene_(scene),
         motion_(motion),
-        mesh_(sim::SurfaceBuilder(take.network()).build(motion.split)),
+        mesh_(sim::SurfaceBuilder(take.network(), looseNodes).build(motion.split)),
         damage_(damageOfNodes(take.network(), motion.split)),
         skinned_(motion.fragments.size() > kMostFragmentNodes) {
     // Without the scene, or a file that it names, there are none.
@@ -94,6 +93,7 @@ class GlbWriter {
         "scenes",
         {{"name", oneWord(scene_.name, "take")}, {"nodes", std::move(scenes)}, {"extras", wholeExtras()}});
     file_.json()["scene"] = 0;
+    if (!extensions_.empty()) file_.json()["extensionsUsed"] = extensions_;
     addAnimation();
     return std::move(file_);
   }
@@ -139,17 +139,10 @@ class GlbWriter {
     const auto found = materials_.find(slot);
     if (found != materials_.end()) return found->second;
     const Look look = looksOf(scene_, take_.network())[slot.first];
-    const Colour& colour = slot.second ? look.inside : look.outside;
-    // A glaze is smooth as glass; biscuit scatters like chalk.
-    const double roughness = slot.second ? 0.9 : 0.7 - 0.6 * look.glaze;
     const std::string name = oneWord(take_.network().materials[slot.first].name, "material");
-    return materials_[slot] = file_.append(
-               "materials",
-               {{"name", name + (slot.second ? "_inside" : "_outside")},
-                {"pbrMetallicRoughness",
-                 {{"baseColorFactor", {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1.0}},
-                  {"metallicFactor", 0.0},
-                  {"roughnessFactor", roughness}}}});
+    Json material = gltfMaterial(name + (slot.second ? "_inside" : "_outside"), look, slot.second);
+    for (const std::string& extension : gltfMaterialExtensions(material)) extensions_.insert(extension);
+    return materials_[slot] = file_.append("materials", std::move(material));
   }
 
   std::uint32_t vertex(Vertices& vertices, std::size_t face, unsigned corner, std::size_t fragment) const {
@@ -268,7 +261,8 @@ class GlbWriter {
   std::map<sim::FragmentId, std::size_t> fragmentAt_;
   std::map<std::size_t, std::map<Slot, std::vector<std::size_t>>> slots_;  ///< by fragment: its faces
   std::map<Slot, std::size_t> materials_;
-  std::vector<std::size_t> nodes_;  ///< of the file, one a fragment
+  std::set<std::string> extensions_;  ///< that materials use
+  std::vector<std::size_t> nodes_;    ///< of the file, one a fragment
 };
 
 void remarkOnFit(const FragmentMotion& motion, const ExportRequest& request) {
@@ -300,7 +294,7 @@ sim::Status writeGlb(const sim::TakeReader& take, const ExportRequest& request) 
         "there are more fragments than the " + std::to_string(kMostJoints) + " of a glTF skin",
         "export fewer frames, or another format"};
   }
-  const GltfFile file = GlbWriter(take, *scene, *motion).run();
+  const GltfFile file = GlbWriter(take, *scene, *motion, request.looseNodes).run();
   if (auto status = file.write(request.path); !status) return status;
   remarkOnFit(*motion, request);
   if (request.progress) request.progress(1.0);

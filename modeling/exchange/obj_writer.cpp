@@ -25,7 +25,7 @@ sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request) 
   const std::vector<std::string> names = materialNames(take.network());
   if (auto status = writeMaterialLibrary(library, names, looksOf(*scene, take.network())); !status)
     return status;
-  sim::SurfaceBuilder builder(take.network());
+  sim::SurfaceBuilder builder(take.network(), request.looseNodes);
   return forEachFrame(take, request, [&](std::size_t index, const sim::Snapshot& frame) {
     return writeObjSurface(framePath(request, index), library.filename().string(), names,
                            builder.build(frame), timeRemark(frame.time));

@@ -65,7 +65,7 @@ sim::Status writePc2(const sim::TakeReader& take, const ExportRequest& request) 
   const auto last = take.frame(request.lastFrame);
   if (!last) return last.problem();
   const sim::Snapshot split = splitAtStart(**first, **last);
-  sim::SurfaceBuilder builder(take.network());
+  sim::SurfaceBuilder builder(take.network(), request.looseNodes);
   const sim::SurfaceMesh mesh = builder.build(split);
   const std::vector<std::string> names = materialNames(take.network());
   std::filesystem::path object = request.path;

@@ -33,27 +33,28 @@ def middle_of_most():
     return middle, reach[int(0.4 * (len(reach) - 1))]
 
 
-def add_light(location, size, power):
+def add_light(middle, direction, distance, size, power):
+    """A panel that looks at the middle: what glaze mirrors."""
     light = bpy.data.lights.new("light", "AREA")
     light.size, light.energy = size, power
     lamp = bpy.data.objects.new("light", light)
-    lamp.location = location
-    lamp.rotation_euler = (-Vector(location)).to_track_quat("-Z", "Y").to_euler()
+    lamp.location = middle + Vector(direction).normalized() * distance
+    lamp.rotation_euler = (middle - lamp.location).to_track_quat("-Z", "Y").to_euler()
     bpy.context.collection.objects.link(lamp)
 
 
 def add_camera(middle, radius):
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.data.lens = 60
-    direction = Vector((0.45, -0.80, 0.42)).normalized()
-    camera.location = middle + direction * radius * 4.4
+    camera.data.lens = 70
+    direction = Vector((0.42, -0.86, 0.28)).normalized()
+    camera.location = middle + direction * radius * 6.4
     camera.rotation_euler = (-direction).to_track_quat("-Z", "Y").to_euler()
     bpy.context.collection.objects.link(camera)
     bpy.context.scene.camera = camera
 
 
 source, frame, out = sys.argv[sys.argv.index("--") + 1:][:3]
-samples = int((sys.argv[sys.argv.index("--") + 1:] + ["96"])[3])
+samples = int((sys.argv[sys.argv.index("--") + 1:] + ["160"])[3])
 bpy.ops.wm.read_factory_settings(use_empty=True)
 importer.load(source)
 scene = bpy.context.scene
@@ -63,17 +64,17 @@ bpy.ops.mesh.primitive_plane_add(size=20)
 bpy.context.object.name = "ground"
 ground = bpy.data.materials.new("ground")
 ground.use_nodes = True
-ground.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0.16, 0.15, 0.14, 1)
+ground.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0.11, 0.10, 0.095, 1)
 ground.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.6
 bpy.context.object.data.materials.append(ground)
 
 middle, radius = middle_of_most()
 add_camera(middle, radius)
-add_light((-0.7, -0.5, 0.9), 0.5, 40)
-add_light((0.9, 0.4, 0.5), 0.8, 8)
+add_light(middle, (-0.2, -0.62, 0.75), 7 * radius, 1.3 * radius, 640 * radius * radius)
+add_light(middle, (-1.0, -0.1, 0.45), 8 * radius, 3 * radius, 330 * radius * radius)
 world = bpy.data.worlds.new("world")
 world.use_nodes = True
-world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.45, 0.48, 0.54, 1)
+world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.060, 0.064, 0.072, 1)
 scene.world = world
 
 scene.render.engine = "CYCLES"

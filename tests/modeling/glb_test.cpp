@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "modeling/exchange/export.h"
+#include "modeling/exchange/gltf_material.h"
 #include "tests/sim/take_sample.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"
@@ -145,6 +146,38 @@ nlohmann::json jsonOf(const std::filesystem::path& path) {
   std::memcpy(&length, bytes.data() + 12, sizeof(length));
   REQUIRE(20 + length <= bytes.size());
   return nlohmann::json::parse(bytes.substr(20, length));
+}
+
+TEST_CASE("another program finds the glaze of a glb on the outside alone") {
+  const tests::MemoryTake take = tests::flyingPieces(4, 3);
+  const tests::ScratchFolder scratch;
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(written(scratch, take).string(), 0);
+  REQUIRE(scene != nullptr);
+  int found = 0;
+  for (unsigned m = 0; m < scene->mNumMaterials; ++m) {
+    const aiMaterial& material = *scene->mMaterials[m];
+    const std::string name = material.GetName().C_Str();
+    if (name != "test_outside" && name != "test_inside") continue;
+    ++found;
+    ai_real coat = 0;
+    material.Get(AI_MATKEY_CLEARCOAT_FACTOR, coat);
+    // What a scene does not state of a material's look is half glazed.
+    CHECK(coat == Approx(name == "test_outside" ? modeling::Look().glaze : 0.0));
+  }
+  CHECK(found == 2);
+}
+
+TEST_CASE("glass goes into a glb clear, broken or not, and what is matt without a coat") {
+  modeling::Look look;
+  look.finish = modeling::Finish::glass;
+  for (const bool inside : {false, true}) {
+    const auto material = modeling::gltfMaterial("glass", look, inside);
+    CHECK(material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] == 1.0);
+    CHECK(modeling::gltfMaterialExtensions(material).size() == 2);
+  }
+  look.finish = modeling::Finish::matte;
+  CHECK(modeling::gltfMaterialExtensions(modeling::gltfMaterial("clay", look, false)).empty());
 }
 
 TEST_CASE("a glb says of each fragment who it is, and of the whole how well it fits") {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -48,6 +49,53 @@ TEST_CASE("another program reads the surface of every frame from PLY files and O
       CHECK(scene->mMeshes[m]->HasNormals());
     }
     CHECK(faces == mesh.faces.size());
+  }
+}
+
+/// Pieces of which one has lost a node.
+tests::MemoryTake withCrumb() {
+  const tests::MemoryTake take = tests::flyingPieces(2, 2);
+  const sim::Network& network = take.network();
+  sim::Snapshot moment = **take.frame(1);
+  const auto crumb = static_cast<sim::NodeIndex>(network.nodeCount() - 1);
+  for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
+    for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond)
+      if (a == crumb || network.bondEnds[bond] == crumb) moment.brokenBonds[bond] = 1;
+  }
+  for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
+    const sim::CellCorners& corners = network.cells[cell];
+    if (std::find(corners.begin(), corners.end(), crumb) != corners.end()) moment.brokenCells[cell] = 1;
+  }
+  moment.fragmentOfNode[crumb] = 7;
+  moment.fragments.push_back({.id = 7, .parent = 1, .nodeCount = 1, .mass = 1.0});
+  return {network, {moment}};
+}
+
+TEST_CASE("a crumb is exported as what is asked for") {
+  const tests::MemoryTake take = withCrumb();
+  const tests::ScratchFolder scratch;
+  const auto kind = GENERATE(sim::LooseNodes::shards, sim::LooseNodes::tetrahedra, sim::LooseNodes::spheres,
+                             sim::LooseNodes::givenToNeighbours);
+  const sim::SurfaceMesh mesh = sim::SurfaceBuilder(take.network(), kind).build(**take.frame(0));
+  const bool has =
+      std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto& face) { return face.fragment == 7; });
+  CHECK(has == (kind != sim::LooseNodes::givenToNeighbours));
+  for (const auto write : {modeling::writePly, modeling::writeObj, modeling::writePc2, modeling::writeGlb}) {
+    const bool glb = write == modeling::writeGlb;
+    const std::string ending = glb ? ".glb" : write == modeling::writePly ? ".ply" : ".obj";
+    const auto path = scratch.file("crumb" + (write == modeling::writePc2 ? ".pc2" : ending));
+    REQUIRE(write(take, {.path = path, .progress = {}, .looseNodes = kind}).ok());
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(scratch.file("crumb" + ending).string(), 0);
+    REQUIRE(scene != nullptr);
+    unsigned faces = 0;
+    for (unsigned m = 0; m < scene->mNumMeshes; ++m) faces += scene->mMeshes[m]->mNumFaces;
+    // Faces of a glTF are triangles, of which others may have four corners.
+    CHECK((glb ? faces >= mesh.faces.size() : faces == mesh.faces.size()));
+    if (!glb) continue;
+    const aiNode* node = scene->mRootNode->FindNode("fragment_7");
+    REQUIRE(node != nullptr);
+    CHECK((node->mNumMeshes > 0) == has);
   }
 }
 

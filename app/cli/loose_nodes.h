@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "sim/network/cell_cuts.h"
+
+namespace app {
+
+/// --loose-nodes, of commands that show or write a surface.
+void addLooseNodes(CLI::App& command, sim::LooseNodes& looseNodes);
+
+}  // namespace app
