@@ -1,5 +1,7 @@
 #include <QAction>
+#include <QDropEvent>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -102,6 +104,12 @@ modeling::SceneTrack track(sim::TrackTarget target, const char* object,
   return result;
 }
 
+/// Events of a drag come from the window system only: they are handed in here.
+struct DragAccess : OutlinerTree {
+  static constexpr void (OutlinerTree::*over)(QDragMoveEvent*) = &DragAccess::dragMoveEvent;
+  static constexpr void (OutlinerTree::*drop)(QDropEvent*) = &DragAccess::dropEvent;
+};
+
 constexpr Item kFirst{ItemKind::part, 0};
 constexpr Item kSecond{ItemKind::part, 1};
 
@@ -190,6 +198,33 @@ TEST_CASE("What is selected is doubled and deleted by keys", "[authoring]") {
   CHECK(desk.scene().parts.size() == 3);
   CHECK(desk.scene().glue.size() == 1);
   CHECK(desk.session.selection().items().empty());
+  desk.checkHistory({});
+}
+
+TEST_CASE("A row that is dragged below another comes after it, as one step", "[authoring]") {
+  Desk desk;
+  desk.addCup();
+  desk.addCup();
+  const std::vector<std::string> before{desk.scene().parts[0].name, desk.scene().parts[1].name};
+  desk.click(kFirst);
+  const auto drop = [&](const Item& onto, int below) {
+    OutlinerTree& tree = desk.tree();
+    const std::unique_ptr<QMimeData> data(tree.model()->mimeData(tree.selectionModel()->selectedIndexes()));
+    const QPoint at = desk.at(onto) + QPoint(0, below);
+    QDragMoveEvent over(at, Qt::MoveAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+    (tree.*DragAccess::over)(&over);
+    QDropEvent event(QPointF(at), Qt::MoveAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+    (tree.*DragAccess::drop)(&event);
+    return over.isAccepted();
+  };
+  CHECK(drop(kSecond, 6));
+  CHECK(desk.scene().parts[0].name == before[1]);
+  CHECK(desk.scene().parts[1].name == before[0]);
+  CHECK(desk.session.selection().current() == kSecond);
+  CHECK(desk.tree().rowOf(kSecond)->text(0).toStdString() == before[0]);
+  // Not among things of another kind.
+  CHECK_FALSE(drop({ItemKind::material, 0}, 0));
+  CHECK(desk.tree().groupOf(ItemKind::part)->childCount() == 2);
   desk.checkHistory({});
 }
 

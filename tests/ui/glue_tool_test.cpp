@@ -95,6 +95,19 @@ TEST_CASE("The pairs shown are those that build() glues", "[glue]") {
   }
 }
 
+TEST_CASE("With one part selected its only gluing is shown, else one is asked for", "[glue]") {
+  modeling::Scene scene = twoSlabs(0.1);
+  scene.glue.push_back({"upper", "lower", 0.5, {}, {}, {}});
+  Fixture fixture(scene);
+  fixture.session.selection().select({ItemKind::part, 1});
+  fixture.editing.begin();
+  CHECK(fixture.editing.stage() == GlueEditing::Stage::adjust);
+  CHECK(fixture.editing.isExisting());
+  fixture.session.document().edit("Unglue", [](modeling::Scene& edited) { edited.glue.clear(); });
+  fixture.editing.begin();
+  CHECK(fixture.editing.stage() == GlueEditing::Stage::chooseA);
+}
+
 TEST_CASE("Two parts are picked, seen and glued; the glue is one step", "[glue]") {
   Fixture fixture(twoSlabs(0.2));
   fixture.editing.begin();

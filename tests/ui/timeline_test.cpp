@@ -2,11 +2,15 @@
 
 #include <QAction>
 #include <QDoubleSpinBox>
+#include <QMenu>
 #include <QTest>
+#include <QTimer>
+#include <set>
 
 #include <catch2/catch.hpp>
 
 #include "tests/ui/window_scenes.h"
+#include "ui/timeline/key_popup.h"
 #include "ui/timeline/play_actions.h"
 #include "ui/timeline/time_bar.h"
 #include "ui/timeline/track_rows.h"
@@ -204,6 +208,73 @@ TEST_CASE("Keys are added by a double click and taken away by Delete") {
   document.undoStack().undo();
   document.undoStack().undo();
   CHECK(document.scene() == before);
+}
+
+TEST_CASE("A double click on a key types its time and value, as one step") {
+  TimelineFixture fixture(sceneWithTrack());
+  ui::TrackRows& rows = fixture.timeline.rows();
+  ui::Document& document = fixture.session.document();
+  const Scene before = document.scene();
+  QTest::mouseDClick(&rows, Qt::LeftButton, {}, rows.pointOf({0, 1}).toPoint());
+  auto* popup = rows.findChild<ui::KeyPopup*>();
+  REQUIRE(popup != nullptr);
+  const QList<QDoubleSpinBox*> fields = popup->findChildren<QDoubleSpinBox*>();
+  REQUIRE(fields.size() == 2);
+  fields[0]->setValue(0.07);
+  fields[1]->setValue(3.5);
+  QTest::keyClick(fields[1], Qt::Key_Return);
+  CHECK_FALSE(popup->isVisible());
+  const modeling::SceneTrackKey& typed = document.scene().tracks[0].keys[1];
+  CHECK(typed.time == Approx(0.07));
+  CHECK(std::get<double>(typed.value) == Approx(3.5));
+  CHECK(document.undoStack().count() == 1);
+  document.undoStack().undo();
+  CHECK(document.scene() == before);
+}
+
+TEST_CASE("The menu of a track says what is between its keys") {
+  TimelineFixture fixture(sceneWithTrack());
+  ui::TrackRows& rows = fixture.timeline.rows();
+  const std::pair<const char*, sim::Interpolation> choices[] = {{"Step", sim::Interpolation::step},
+                                                                {"Smooth", sim::Interpolation::smooth},
+                                                                {"Linear", sim::Interpolation::linear}};
+  for (const auto& [word, interpolation] : choices) {
+    QTimer looks;
+    QObject::connect(&looks, &QTimer::timeout, [word = word] {
+      auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+      if (menu == nullptr) return;
+      for (QAction* action : menu->actions())
+        if (action->text().startsWith(QLatin1String(word))) action->trigger();
+      menu->close();
+    });
+    looks.start(5);
+    const QPoint at(100, ui::TrackRows::kRowHeight / 2);
+    QContextMenuEvent asks(QContextMenuEvent::Mouse, at, rows.mapToGlobal(at));
+    QApplication::sendEvent(&rows, &asks);
+    CHECK(fixture.session.document().scene().tracks[0].interpolation == interpolation);
+  }
+  CHECK(fixture.session.document().undoStack().count() == 3);
+}
+
+TEST_CASE("Frames of a scene that has been changed since are hatched") {
+  TimelineFixture fixture(tests::fallingSlab());
+  fixture.simulateToEnd();
+  const QRect film(QPoint(qRound(fixture.timeline.bar().xOf(0.02)), ui::TimeBar::kRulerHeight + 4),
+                   QSize(80, 20));
+  // Above the marks of the frames a fresh take is all of one colour.
+  const auto coloursSeen = [&] {
+    const QImage picture = fixture.timeline.bar().grab(film).toImage();
+    std::set<QRgb> colours;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) colours.insert(picture.pixel(x, y));
+    return colours.size();
+  };
+  const std::size_t fresh = coloursSeen();
+  fixture.session.document().edit("Heavier", [](Scene& scene) { scene.environment.gravity.z() = -500.0; });
+  REQUIRE(fixture.session.takes()[0].stale);
+  CHECK(coloursSeen() > fresh);
+  fixture.session.document().undoStack().undo();
+  CHECK(coloursSeen() == fresh);
 }
 
 TEST_CASE("A key stays between its neighbours, and the last one takes its track along") {

@@ -115,6 +115,7 @@ NumberField* RenderDialog::numberField(const QString& name, double least, double
 }
 
 QWidget* RenderDialog::makeChoices() {
+  // Made in the order in which Tab goes through them.
   auto* box = new QWidget(this);
   auto* form = new QFormLayout(box);
   form->setContentsMargins(0, 0, 0, 0);
@@ -127,9 +128,6 @@ QWidget* RenderDialog::makeChoices() {
   };
   what_ = combo(QStringLiteral("render-what"), {tr("This moment"), tr("All frames of the take")});
   camera_ = combo(QStringLiteral("render-camera"), {tr("As in the viewport"), tr("Of the scene")});
-  looseNodes_ = combo(QStringLiteral("render-loose"),
-                      {tr("Shards"), tr("Tetrahedra"), tr("Balls"), tr("Given to neighbours")});
-  looseNodes_->setToolTip(tr("How nodes are drawn that nothing holds any more"));
   width_ = numberField(QStringLiteral("render-width"), 16, 8192, 1280, true, tr("Pixels"));
   height_ = numberField(QStringLiteral("render-height"), 16, 8192, 720, true, tr("Pixels"));
   samples_ = numberField(QStringLiteral("render-samples"), 1, 65536, 64, true,
@@ -138,6 +136,9 @@ QWidget* RenderDialog::makeChoices() {
                           tr("Diameter of the lens, cm: what is not as far as the target is blurred"));
   shutter_ = numberField(QStringLiteral("render-shutter"), 0, 1, 0, false,
                          tr("Share of a frame's time for which it is open: what moves is blurred"));
+  looseNodes_ = combo(QStringLiteral("render-loose"),
+                      {tr("Shards"), tr("Tetrahedra"), tr("Balls"), tr("Given to neighbours")});
+  looseNodes_->setToolTip(tr("How nodes are drawn that nothing holds any more"));
   sixteenBit_ = new QCheckBox(tr("16 bit a channel"), box);
   sixteenBit_->setToolTip(tr("Of PNG files: for those who go on working with the picture"));
   form->addRow(tr("Picture of"), what_);
@@ -161,10 +162,10 @@ QWidget* RenderDialog::makeButtons() {
   QSizePolicy policy = progress_->sizePolicy();
   policy.setRetainSizeWhenHidden(true);
   progress_->setSizePolicy(policy);
+  auto* close = new QPushButton(tr("Close"), box);
   render_ = new QPushButton(box);
   render_->setObjectName(QStringLiteral("render-start"));
   render_->setDefault(true);
-  auto* close = new QPushButton(tr("Close"), box);
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(progress_, 1);

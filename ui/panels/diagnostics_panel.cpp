@@ -127,6 +127,7 @@ void DiagnosticsPanel::makeChart() {
   view_ = new QChartView(chart_, this);
   view_->setRenderHint(QPainter::Antialiasing);
   view_->setFrameShape(QFrame::NoFrame);
+  view_->setFocusPolicy(Qt::NoFocus);
   view_->setBackgroundBrush(Qt::NoBrush);
   view_->setStyleSheet(QStringLiteral("background: transparent;"));
   view_->setMinimumSize(240, 110);

@@ -9,6 +9,8 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <limits>
 
 #include "ui/panels/direction_pad.h"
 #include "ui/panels/live_slider.h"
@@ -25,12 +27,16 @@ using sim::TrackTarget;
 /// A picture's time.
 constexpr int kChangeMilliseconds = 30;
 
-double sizeOf(const Shown& shown) {
+TouchedSize sizeOf(const Shown& shown, const sim::Vec3& point) {
   Eigen::AlignedBox3d box;
+  double nearest = std::numeric_limits<double>::infinity();
   if (shown.moment) {
-    for (const sim::Vec3& position : shown.moment->positions) box.extend(position);
+    for (const sim::Vec3& position : shown.moment->positions) {
+      box.extend(position);
+      nearest = std::min(nearest, (position - point).norm());
+    }
   }
-  return box.isEmpty() ? 10.0 : box.diagonal().norm();
+  return box.isEmpty() ? TouchedSize{10.0, 0.0} : TouchedSize{box.diagonal().norm(), nearest};
 }
 
 QLabel* headingOf(const QString& text, QWidget* parent) {
@@ -241,7 +247,7 @@ void LivePanel::sneezeNow() {
 }
 
 void LivePanel::touchNow(TouchTool::Kind kind, const sim::Vec3& point, const sim::Vec3& direction) {
-  const double size = sizeOf(session_.shown());
+  const TouchedSize size = sizeOf(session_.shown(), point);
   beginRun();
   LiveTouch touch =
       kind == TouchTool::Kind::poke ? poke(point, direction, size) : knock(point, direction, size);

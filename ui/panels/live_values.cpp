@@ -21,6 +21,8 @@ constexpr double kFinger = 0.045;
 constexpr double kFingerSpeed = 120.0;
 constexpr double kBall = 0.09;
 constexpr double kBallSpeed = 500.0;
+/// Radius over the distance of the nearest node: it is hit, and pushed rather than brushed.
+constexpr double kReachOfNode = 1.5;
 
 bool drivesAll(const SceneTrack& track, TrackTarget target) {
   return track.target.target == target && track.target.object.empty();
@@ -123,8 +125,8 @@ LiveKeys sneeze(const Scene& scene, double time) {
   return {{target, {}}, {{0.0, soft}, {kSneezeSeconds, back}}};
 }
 
-LiveTouch poke(const sim::Vec3& point, const sim::Vec3& direction, double size) {
-  const double radius = kFinger * size;
+LiveTouch poke(const sim::Vec3& point, const sim::Vec3& direction, const TouchedSize& size) {
+  const double radius = std::max(kFinger * size.everything, kReachOfNode * size.toNextNode);
   LiveTouch touch = sphere("poke", radius);
   const sim::Vec3 outside = point - 1.1 * radius * direction;
   const sim::Vec3 inside = point + 0.4 * radius * direction;
@@ -133,9 +135,9 @@ LiveTouch poke(const sim::Vec3& point, const sim::Vec3& direction, double size) 
   return touch;
 }
 
-LiveTouch knock(const sim::Vec3& point, const sim::Vec3& direction, double size) {
-  LiveTouch touch = sphere("knock", kBall * size);
-  const double way = 0.75 * size;
+LiveTouch knock(const sim::Vec3& point, const sim::Vec3& direction, const TouchedSize& size) {
+  LiveTouch touch = sphere("knock", std::max(kBall * size.everything, kReachOfNode * size.toNextNode));
+  const double way = 0.75 * size.everything;
   touch.path = {{0.0, sim::Vec3(point - way * direction)},
                 {2.0 * way / kBallSpeed, sim::Vec3(point + way * direction)}};
   return touch;

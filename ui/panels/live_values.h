@@ -38,10 +38,15 @@ struct LiveTouch {
   modeling::SceneCollider collider;
   std::vector<modeling::SceneTrackKey> path;
 };
-/// A finger: in at a point of the surface along a direction, and back. `size` is that of everything, cm.
-LiveTouch poke(const sim::Vec3& point, const sim::Vec3& direction, double size);
+/// How large what is touched is, cm. Only nodes are touched: a sphere must not slip through between them.
+struct TouchedSize {
+  double everything = 0.0;
+  double toNextNode = 0.0;  ///< from the point that is touched to the node nearest to it
+};
+/// A finger: in at a point of the surface along a direction, and back.
+LiveTouch poke(const sim::Vec3& point, const sim::Vec3& direction, const TouchedSize& size);
 /// A ball that flies through the point.
-LiveTouch knock(const sim::Vec3& point, const sim::Vec3& direction, double size);
+LiveTouch knock(const sim::Vec3& point, const sim::Vec3& direction, const TouchedSize& size);
 
 inline constexpr double kStandardGravity = 981.0;  ///< cm/s^2, of the scenes' files
 

@@ -1,7 +1,9 @@
 #include "ui/panels/outliner_tree.h"
 
+#include <QDrag>
 #include <QDropEvent>
 #include <QHeaderView>
+#include <QMimeData>
 #include <QPainter>
 #include <QStyledItemDelegate>
 
@@ -159,11 +161,26 @@ std::optional<std::size_t> OutlinerTree::placeUnder(const QPoint& at, const Item
   return place;
 }
 
+/// The rows follow the scene, not the drag: the tree's own way would take the row away after it.
+void OutlinerTree::startDrag(Qt::DropActions) {
+  const QList<QTreeWidgetItem*> rows = selectedItems();
+  const std::optional<Item> item = dragged();
+  if (!item || item->kind == ItemKind::scene) return;
+  auto* drag = new QDrag(this);
+  drag->setMimeData(mimeData(rows));
+  const QRect seen = visualItemRect(rows.front()) & viewport()->rect();
+  drag->setPixmap(viewport()->grab(seen));
+  drag->setHotSpot({20, seen.height() / 2});
+  drag->exec(Qt::MoveAction);
+  setState(NoState);
+  viewport()->update();
+}
+
 void OutlinerTree::dragMoveEvent(QDragMoveEvent* event) {
+  // Which paints where it would go.
   QTreeWidget::dragMoveEvent(event);
   const std::optional<Item> item = dragged();
   if (item && placeUnder(event->position().toPoint(), *item)) {
-    event->setDropAction(Qt::CopyAction);
     event->accept();
   } else {
     event->ignore();
@@ -174,8 +191,6 @@ void OutlinerTree::dropEvent(QDropEvent* event) {
   const std::optional<Item> item = dragged();
   const std::optional<std::size_t> place =
       item ? placeUnder(event->position().toPoint(), *item) : std::nullopt;
-  // The rows follow the scene, not the drag: as a copy, so that the tree takes nothing away by itself.
-  event->setDropAction(Qt::CopyAction);
   event->accept();
   setState(NoState);
   viewport()->update();

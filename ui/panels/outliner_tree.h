@@ -29,6 +29,7 @@ class OutlinerTree : public QTreeWidget {
 
  protected:
   void dropEvent(QDropEvent* event) override;
+  void startDrag(Qt::DropActions actions) override;
   void dragMoveEvent(QDragMoveEvent* event) override;
   Qt::DropActions supportedDropActions() const override { return Qt::CopyAction | Qt::MoveAction; }
   void mousePressEvent(QMouseEvent* event) override;

@@ -37,6 +37,7 @@ TimeBar::TimeBar(Session& session, TimeAxis& axis, NoteFeed& feed, PlayActions& 
   connect(&feed_, &NoteFeed::grown, this, &TimeBar::growFilm);
   connect(&session_, &Session::shownChanged, this, &TimeBar::moveCursor);
   connect(&session_, &Session::takesChanged, this, qOverload<>(&QWidget::update));
+  connect(&session_.document(), &Document::sceneChanged, this, &TimeBar::followState);
   connect(&session_.playback(), &Playback::frameChanged, this, &TimeBar::moveCursor);
   connect(&session_.playback(), &Playback::stateChanged, this, &TimeBar::followState);
 }
@@ -115,7 +116,8 @@ void TimeBar::moveCursor() {
 }
 
 void TimeBar::followState() {
-  update(QRect(0, 0, width(), kRulerHeight + 2));
+  // What is said in place of a take is another for a scene with nothing in it.
+  update(feed_.notes().empty() ? rect() : QRect(0, 0, width(), kRulerHeight + 2));
 }
 
 void TimeBar::scrubTo(double x) {

@@ -17,6 +17,7 @@
 #include "ui/panels/add_actions.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/focus_order.h"
 #include "ui/window/gallery.h"
 #include "ui/window/problem_bar.h"
 #include "ui/window/view_memory.h"
@@ -164,6 +165,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   keepPicture();
   rememberLayout();
   event->accept();
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+  return moveFocus(*this, next) || QMainWindow::focusNextPrevChild(next);
 }
 
 /// A mesh comes into the scene that is open, or into a new one.

@@ -14,6 +14,7 @@
 #include "ui/viewport/view_bars.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
+#include "ui/window/focus_order.h"
 #include "ui/window/main_window.h"
 #include "ui/window/shortcuts_dialog.h"
 
@@ -87,6 +88,10 @@ void MainWindow::makeViewMenu() {
   QMenu* panels = viewMenu_->addMenu(tr("&Panels"));
   for (QDockWidget* dock : docks_) panels->addAction(dock->toggleViewAction());
   panels->addSeparator();
+  panels->addAction(tr("&Next Panel"), QKeySequence(Qt::Key_F6), this,
+                    [this] { moveFocusToPlace(*this, true); });
+  panels->addAction(tr("&Previous Panel"), QKeySequence(Qt::SHIFT | Qt::Key_F6), this,
+                    [this] { moveFocusToPlace(*this, false); });
   panels->addAction(tr("&Reset Layout"), this, &MainWindow::useFirstLayout);
   QMenu* themes = viewMenu_->addMenu(tr("&Theme"));
   auto* group = new QActionGroup(this);
