@@ -5,7 +5,6 @@
 #include <QOpenGLContext>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QSurfaceFormat>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -13,19 +12,10 @@
 #include "ui/files/autosave.h"
 #include "ui/files/kept_takes.h"
 #include "ui/theme/theme.h"
+#include "ui/viewport/viewport_renderer.h"
 #include "ui/window/main_window.h"
 
 namespace {
-
-/// The viewport needs OpenGL 3.3; it says so itself where it does not get it.
-void askForOpenGl() {
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setSamples(4);
-  QSurfaceFormat::setDefaultFormat(format);
-}
 
 /// Qt does not survive a window with a picture of OpenGL where there is none: better asked before.
 bool hasOpenGl() {
@@ -82,7 +72,7 @@ int main(int argc, char** argv) {
   // program.
   std::signal(SIGXFSZ, SIG_IGN);
 #endif
-  askForOpenGl();
+  ui::ViewportRenderer::askForContexts();
   QApplication::setApplicationName(QStringLiteral("Smithereens"));
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));
   QApplication::setApplicationVersion(QStringLiteral(SMITHEREENS_VERSION));

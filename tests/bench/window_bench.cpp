@@ -140,10 +140,7 @@ void paint(benchmark::State& state, const Film& film, Easel& easel, const ui::Vi
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  QSurfaceFormat::setDefaultFormat(format);
+  ui::ViewportRenderer::askForContexts();
   QApplication application(argc, argv);
   if (argc != 2) {
     std::cerr << "usage: bench-window [BENCHMARK-OPTION...] TAKE\n";

@@ -6,7 +6,6 @@
 #include <QDir>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSurfaceFormat>
 #include <QTest>
 #include <fstream>
 
@@ -26,6 +25,7 @@
 #include "ui/timeline/timeline.h"
 #include "ui/timeline/track_rows.h"
 #include "ui/viewport/viewport.h"
+#include "ui/viewport/viewport_renderer.h"
 
 namespace {
 
@@ -419,12 +419,7 @@ int main(int argc, char** argv) {
   const QTemporaryDir home;
   for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"})
     qputenv(variable, home.path().toUtf8());
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setSamples(4);
-  QSurfaceFormat::setDefaultFormat(format);
+  ui::ViewportRenderer::askForContexts();
   QApplication::setApplicationName(QStringLiteral("Smithereens"));
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));
   QApplication application(argc, argv);

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QSurfaceFormat>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,6 +76,15 @@ ViewportRenderer::~ViewportRenderer() {
   occlusion_->destroy(gl_);
   gl_.glDeleteFramebuffers(1, &shadowBuffer_);
   gl_.glDeleteTextures(1, &shadowMap_);
+}
+
+void ViewportRenderer::askForContexts(int samplesAPixel) {
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setSamples(samplesAPixel);
+  QSurfaceFormat::setDefaultFormat(format);
 }
 
 std::unique_ptr<ViewportRenderer> ViewportRenderer::create(QString& why) {

@@ -47,6 +47,8 @@ class ViewportRenderer {
  public:
   /// Null where there is no OpenGL 3.3, or a shader does not compile; `why` says so.
   static std::unique_ptr<ViewportRenderer> create(QString& why);
+  /// What contexts have to be like, for the program to ask for before it makes the first.
+  static void askForContexts(int samplesAPixel = 4);
   ~ViewportRenderer();
 
   void show(const std::shared_ptr<const DrawData>& data);
