@@ -10,6 +10,8 @@
 
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/gltf_material.h"
+#include "modeling/scene/build.h"
+#include "modeling/scene/scene_file.h"
 #include "tests/sim/take_sample.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"
@@ -146,6 +148,63 @@ nlohmann::json jsonOf(const std::filesystem::path& path) {
   std::memcpy(&length, bytes.data() + 12, sizeof(length));
   REQUIRE(20 + length <= bytes.size());
   return nlohmann::json::parse(bytes.substr(20, length));
+}
+
+/// A slab that stands still.
+tests::MemoryTake slabTake(const Vec3& size) {
+  modeling::Scene scene;
+  modeling::SceneMaterial clay;
+  clay.name = clay.values.name = "clay";
+  clay.values.youngsModulus = 1e7;
+  clay.values.threshold.mean = 0.05;
+  scene.materials.push_back(clay);
+  modeling::Part slab;
+  slab.name = "slab";
+  slab.material = "clay";
+  slab.shape = modeling::SlabShape{size, {1.0, {}}};
+  scene.parts.push_back(slab);
+  const sim::Network network = modeling::build(scene, {}).value().network;
+  sim::Snapshot moment = sim::momentAtRest(network);
+  moment.fragments = {{.id = 0, .nodeCount = static_cast<std::uint32_t>(network.nodeCount())}};
+  return {network, {moment}, modeling::writeScene(scene)};
+}
+
+TEST_CASE("another program finds the parts' own parameters as texture coordinates of a glb") {
+  const Vec3 size(6.0, 4.0, 3.0);
+  const tests::MemoryTake take = slabTake(size);
+  const tests::ScratchFolder scratch;
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(written(scratch, take).string(), 0);
+  REQUIRE(scene != nullptr);
+  Eigen::AlignedBox3d box;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    for (unsigned v = 0; v < scene->mMeshes[m]->mNumVertices; ++v)
+      box.extend(ours(scene->mMeshes[m]->mVertices[v]));
+  }
+  unsigned triangles = 0;
+  double worst = 0.0;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene->mMeshes[m];
+    REQUIRE(mesh.HasTextureCoords(0));
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f, ++triangles) {
+      const unsigned* const corners = mesh.mFaces[f].mIndices;
+      const Vec3 a = ours(mesh.mVertices[corners[0]]);
+      const Vec3 normal =
+          (ours(mesh.mVertices[corners[1]]) - a).cross(ours(mesh.mVertices[corners[2]]) - a).normalized();
+      Eigen::Index across = 0;
+      normal.cwiseAbs().maxCoeff(&across);
+      for (unsigned c = 0; c < 3; ++c) {
+        // A slab's parameters go along its edges; a side has the two that do not lead through it.
+        const Vec3 share = (ours(mesh.mVertices[corners[c]]) - box.min()).cwiseQuotient(size);
+        const aiVector3D& read = mesh.mTextureCoords[0][corners[c]];
+        worst = std::max({worst, std::abs(static_cast<double>(read.x) - share[across == 0 ? 1 : 0]),
+                          std::abs(static_cast<double>(read.y) - share[across == 2 ? 1 : 2])});
+      }
+    }
+  }
+  CHECK(triangles == 2 * 2 * (6 * 4 + 6 * 3 + 4 * 3));
+  // Single precision of a metre.
+  CHECK(worst < 1e-5);
 }
 
 TEST_CASE("another program finds the glaze of a glb on the outside alone") {
