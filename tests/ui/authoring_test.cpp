@@ -201,6 +201,18 @@ TEST_CASE("What is selected is doubled and deleted by keys", "[authoring]") {
   desk.checkHistory({});
 }
 
+TEST_CASE("A scene without a name is called as its file is, and saving it renames nothing", "[authoring]") {
+  Desk desk;
+  desk.addCup();
+  CHECK(desk.tree().rowOf({})->text(0) == "Untitled");
+  const modeling::Scene before = desk.scene();
+  const auto file = std::filesystem::path(desk.folder.path().toStdString()) / "mug.scene.json";
+  REQUIRE(desk.session.document().saveTo(file));
+  CHECK(desk.tree().rowOf({})->text(0) == "mug");
+  CHECK(desk.scene() == before);
+  CHECK_FALSE(desk.session.document().isModified());
+}
+
 TEST_CASE("A row that is dragged below another comes after it, as one step", "[authoring]") {
   Desk desk;
   desk.addCup();

@@ -1,6 +1,4 @@
-// The way of a person who opens the program for the first time, in the real window. The pictures of
-// docs/guide are made on this way, by
-//   SMITHEREENS_GUIDE_PICTURES=docs/guide tests/ui/with_display build/release/tests/test-window "A cup*"
+// The way of a person who opens the program for the first time, in the real window.
 #include <QAbstractButton>
 #include <QDockWidget>
 #include <QPushButton>
@@ -44,14 +42,6 @@ struct Desk {
     REQUIRE(found != nullptr);
     QTest::mouseClick(found, Qt::LeftButton);
   }
-  /// Of the whole window, for the guide.
-  void picture(const char* name) {
-    const QString pictures = qEnvironmentVariable("SMITHEREENS_GUIDE_PICTURES");
-    if (pictures.isEmpty()) return;
-    REQUIRE(tests::becomesTrue([&] { return window.viewport().isUpToDate(); }));
-    QTest::qWait(300);
-    REQUIRE(window.grab().save(pictures + "/" + QString::fromLatin1(name) + ".png"));
-  }
   void raise(const char* dock) {
     window.findChild<QDockWidget*>(QString::fromLatin1(dock))->raise();
     QTest::qWait(50);
@@ -67,10 +57,8 @@ struct Desk {
 TEST_CASE("A cup with a handle is built, dropped, broken, scrubbed, made to sneeze, undone and saved") {
   Desk desk;
   ui::Session& session = desk.session;
-  desk.picture("gallery");
   desk.click("galleryNew");
   CHECK(desk.window.viewport().isVisible());
-  desk.picture("empty");
   const Scene empty = desk.scene();
   REQUIRE(empty.parts.empty());
 
@@ -78,12 +66,10 @@ TEST_CASE("A cup with a handle is built, dropped, broken, scrubbed, made to snee
   REQUIRE(desk.scene().parts.size() == 1);
   desk.waitUntilBuilt();
   desk.window.viewport().frameAll();
-  desk.picture("cup");
   desk.window.findChild<ui::AddActions*>()->add({ui::NewThing::Kind::handle, {}});
   REQUIRE(desk.scene().parts.size() == 2);
   REQUIRE(desk.scene().glue.size() == 1);
   desk.waitUntilBuilt();
-  desk.picture("handle");
   session.document().edit("Throw it down", [](Scene& scene) {
     for (modeling::Part& part : scene.parts) {
       part.worldFromPart.position.z() += 2.0;
@@ -110,10 +96,8 @@ TEST_CASE("A cup with a handle is built, dropped, broken, scrubbed, made to snee
   CHECK(tests::hashOfHeadlessRun(desk.scene()) == session.run()->stateHash);
 
   session.playback().toLast();
-  desk.picture("broken");
   desk.raise("takes");
   session.playback().toFirstBreak();
-  desk.picture("first-break");
   const std::size_t first = session.playback().frame();
   REQUIRE(tests::becomesTrue([&] { return session.shown().moment->time == session.playback().time(); }));
   session.playback().stepBy(-1);
@@ -131,7 +115,6 @@ TEST_CASE("A cup with a handle is built, dropped, broken, scrubbed, made to snee
   ui::Theme::instance().apply(ui::ThemeKind::light);
   desk.raise("outliner");
   desk.raise("properties");
-  desk.picture("light");
   ui::Theme::instance().apply(ui::ThemeKind::dark);
   const fs::path file = desk.root / "cup.scene.json";
   REQUIRE(session.document().saveTo(file));

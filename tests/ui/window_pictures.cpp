@@ -212,7 +212,10 @@ void takeRun(WindowStudio& studio) {
   studio.session().document().edit("Heavier", [](Scene& scene) { scene.materials[0].values.density = 3.0; });
   studio.take("stale");
   studio.session().document().undoStack().undo();
+  studio.waitUntil("the scene as it was", [&] { return !studio.session().isBuilding(); });
+  studio.settle();
   studio.session().playback().seek(frame);
+  studio.waitUntil("the frame", [&] { return studio.session().shown().recorded; });
   studio.raise("outliner");
 }
 
@@ -379,9 +382,11 @@ void takeLongRun(WindowStudio& studio) {
 }
 
 void takeRecent(WindowStudio& studio) {
-  for (const char* name : {"my-cup", "teapot"}) {
+  const std::pair<const char*, Scene> scenes[] = {
+      {"my-cup", cup()}, {"vase", withThings({{ui::NewThing::Kind::profile, ui::ProfilePreset::vase}})}};
+  for (const auto& [name, scene] : scenes) {
     const auto file = studio.desk() / (std::string(name) + ".scene.json");
-    if (!modeling::saveScene(cup(), file)) qFatal("cannot save");
+    if (!modeling::saveScene(scene, file)) qFatal("cannot save");
     studio.load(ui::newScene());
     studio.window().files().open(file);
     studio.settle();

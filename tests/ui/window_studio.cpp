@@ -17,7 +17,7 @@ namespace {
 
 /// Where something goes on moving, such as the sample of a material, its picture is taken all the same.
 constexpr int kMostLooks = 30;
-constexpr int kBetweenLooks = 60;  // ms
+constexpr int kBetweenLooks = 120;  // ms
 
 QString plain(QString text) {
   return text.remove(u'&').remove(QStringLiteral("…"));

@@ -1,6 +1,7 @@
 #include "ui/files/file_actions.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -22,6 +23,12 @@ const QString kSceneEnding = QStringLiteral(".scene.json");
 
 QString text(const fs::path& path) {
   return QString::fromStdString(path.string());
+}
+
+/// Where people keep what they make.
+QString documentsFolder() {
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
 bool isTake(const fs::path& file) {
@@ -184,9 +191,7 @@ bool FileActions::save() {
 
 bool FileActions::saveAs() {
   QString start = text(session_.document().file());
-  if (start.isEmpty())
-    start = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + u'/' +
-            session_.document().title() + kSceneEnding;
+  if (start.isEmpty()) start = documentsFolder() + u'/' + session_.document().title() + kSceneEnding;
   QString name = QFileDialog::getSaveFileName(window_, tr("Save the scene"), start,
                                               tr("Scenes (*%1)").arg(kSceneEnding));
   if (name.isEmpty()) return false;

@@ -49,16 +49,18 @@ void AddActions::fill(QMenu& menu) {
     if (dishes && !thing.preset) menu.addSeparator();
     dishes = thing.preset.has_value();
     if (!colliders && isCollider(thing)) {
-      menu.addAction(Theme::icon(QStringLiteral("network")), tr("Network from a File…"), this,
+      menu.addAction(Theme::icon(QStringLiteral("network")), tr("&Network from a File…"), this,
                      &AddActions::addNetworkFile);
-      menu.addAction(Theme::icon(QStringLiteral("mesh")), tr("Mesh from a File…"), this,
+      menu.addAction(Theme::icon(QStringLiteral("mesh")), tr("&Mesh from a File…"), this,
                      [this] { addMeshFile(false); });
-      menu.addAction(Theme::icon(QStringLiteral("mesh-obstacle")), tr("Obstacle from a File…"), this,
+      menu.addAction(Theme::icon(QStringLiteral("mesh-obstacle")), tr("&Obstacle from a File…"), this,
                      [this] { addMeshFile(true); });
       menu.addSeparator();
       colliders = true;
     }
-    QAction* action = menu.addAction(iconFor(thing), nameOf(thing), this, [this, thing] { add(thing); });
+    // The first letter of each chooses it.
+    QAction* action =
+        menu.addAction(iconFor(thing), u'&' + nameOf(thing), this, [this, thing] { add(thing); });
     action->setToolTip(helpOf(thing));
     action->setStatusTip(helpOf(thing));
   }

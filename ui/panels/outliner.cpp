@@ -61,6 +61,12 @@ Outliner::Outliner(Session& session, SceneActions& actions, QWidget* parent)
   connect(tree_, &QWidget::customContextMenuRequested, this, &Outliner::openMenu);
   connect(&actions_, &SceneActions::renameWanted, this, &Outliner::renameSelected);
   connect(&session_.document(), &Document::sceneChanged, this, &Outliner::showScene);
+  // A scene without a name has that of its file.
+  connect(&session_.document(), &Document::statusChanged, this, [this] {
+    showing_ = true;
+    showRow(*tree_->rowOf({}), {});
+    showing_ = false;
+  });
   connect(&session_.selection(), &Selection::changed, this, &Outliner::showSelection);
   connect(&Theme::instance(), &Theme::changed, this, &Outliner::showScene);
   showScene();

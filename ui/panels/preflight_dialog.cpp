@@ -118,6 +118,7 @@ QDialogButtonBox* PreflightDialog::makeButtons() {
   auto* again = buttons->addButton(tr("Look Again"), QDialogButtonBox::ActionRole);
   auto* simulate = buttons->addButton(tr("Simulate"), QDialogButtonBox::ApplyRole);
   simulate->setIcon(Theme::icon(QStringLiteral("play")));
+  simulate->setDefault(true);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   connect(again, &QPushButton::clicked, this, &PreflightDialog::look);
   connect(simulate, &QPushButton::clicked, this, [this] {

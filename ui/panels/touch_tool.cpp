@@ -24,9 +24,9 @@ QString TouchTool::hint() const {
 }
 
 bool TouchTool::press(Viewport& viewport, const PointerEvent& event) {
-  const std::optional<sim::Vec3> point = bodyUnder(viewport, event.position);
-  if (!point) return false;
-  touch_(*point, viewport.rayThrough(event.position).direction.normalized());
+  // A press that misses is meant for nothing else.
+  if (const std::optional<sim::Vec3> point = bodyUnder(viewport, event.position))
+    touch_(*point, viewport.rayThrough(event.position).direction.normalized());
   return true;
 }
 

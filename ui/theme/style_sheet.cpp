@@ -66,7 +66,7 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QSlider::groove:horizontal { height: 4px; background: @line; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
-QSlider::handle:horizontal { background: @text; width: 12px; margin: -5px 0; border-radius: 6px; }
+QSlider::handle:horizontal { background: @text; width: 14px; margin: -5px 0; border-radius: 7px; }
 QSlider::handle:horizontal:hover, QSlider::handle:horizontal:focus { background: @accent; }
 QProgressBar { background: @field; border: 1px solid @line; border-radius: 4px; text-align: center; height: 14px; }
 QProgressBar::chunk { background: @accent; border-radius: 3px; }

@@ -98,8 +98,9 @@ bool TransformTool::press(Viewport& viewport, const PointerEvent& event) {
     end(viewport);
     return true;
   }
+  // On a recorded moment there are no handles: what they move is not seen.
   const auto handles = gizmo(viewport);
-  if (!handles) return false;
+  if (!handles || viewport.session().shown().recorded) return false;
   const auto handle = handles->at(event.position, viewport.camera(), viewport.viewSize());
   return handle && begin(viewport, *handle, event.position, false);
 }
@@ -305,7 +306,8 @@ QString TransformTool::readout() const {
 
 void TransformTool::draw(const Viewport& viewport, Overlay& overlay) {
   if (!drag_) {
-    if (const auto handles = gizmo(viewport))
+    const auto handles = gizmo(viewport);
+    if (handles && !viewport.session().shown().recorded)
       handles->draw(viewport.camera(), viewport.viewSize(), lit_, overlay);
     return;
   }

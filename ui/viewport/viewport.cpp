@@ -122,6 +122,14 @@ void Viewport::frameFirst() {
 Eigen::AlignedBox3d Viewport::everything() const {
   Eigen::AlignedBox3d box = drawn_->box;
   for (const sim::Collider& collider : drawn_->colliders) box.extend(boxOf(collider));
+  if (box.isEmpty()) return box;
+  // What is in the air is seen with the floor on which it will fall.
+  const sim::Vec3 middle = box.center();
+  for (const sim::Collider& collider : drawn_->colliders) {
+    if (collider.shape != sim::ColliderShape::floor) continue;
+    const sim::Vec3 normal = collider.rotation * sim::Vec3::UnitZ();
+    box.extend(sim::Vec3(middle - normal.dot(middle - collider.position) * normal));
+  }
   return box;
 }
 

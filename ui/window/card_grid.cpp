@@ -11,8 +11,8 @@ namespace ui {
 namespace {
 
 constexpr int kGap = 14;
-constexpr int kNarrowest = 190;
-constexpr int kWidest = 300;
+constexpr int kNarrowest = 220;
+constexpr int kWidest = 310;
 constexpr int kTextHeight = 68;
 constexpr qreal kCorner = 6.0;
 

@@ -58,7 +58,11 @@ std::vector<fs::path> shippedScenes() {
 Gallery::Gallery(RecentFiles& recent, QWidget* parent) : QScrollArea(parent), recent_(recent) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
+  // Five cards beside each other, in the middle of whatever room there is.
+  constexpr int kWidest = 1600;  // logical pixels
   auto* page = new QWidget(this);
+  page->setMaximumWidth(kWidest);
+  setAlignment(Qt::AlignHCenter | Qt::AlignTop);
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(36, 30, 36, 36);
   layout->setSpacing(12);

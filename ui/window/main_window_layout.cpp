@@ -100,9 +100,9 @@ void MainWindow::toggleProfile(QDockWidget& profile) {
   constexpr int kRoomToDraw = 460;  // logical pixels
   if (profile.isVisible() && !profile.visibleRegion().isEmpty()) {
     profile.hide();
-    if (widthBeforeProfile_ > 0)
-      resizeDocks({findChild<QDockWidget*>(QStringLiteral("outliner"))}, {widthBeforeProfile_},
-                  Qt::Horizontal);
+    auto* outliner = findChild<QDockWidget*>(QStringLiteral("outliner"));
+    outliner->raise();
+    if (widthBeforeProfile_ > 0) resizeDocks({outliner}, {widthBeforeProfile_}, Qt::Horizontal);
     return;
   }
   const auto* beside = findChild<QDockWidget*>(QStringLiteral("outliner"));
