@@ -33,21 +33,21 @@ Ending endingOf(const sim::Simulation& simulation) {
           snapshot.fragments.size(), simulation.work().labelings};
 }
 
-TEST_CASE("a run resumed from any step ends like the unbroken one, bit for bit") {
-  const std::uint64_t seed = GENERATE(1, 2, 3);
-  const auto precision = GENERATE(sim::Precision::float64, sim::Precision::float32);
-  const auto whole = tests::crash({.seed = seed, .precision = precision});
+void checkResuming(const tests::CrashOptions& options) {
+  const auto whole = tests::crash(options);
   tests::run(*whole, kUntil);
   const Ending expected = endingOf(*whole);
   REQUIRE(whole->brokenBondCount() > 50);
   REQUIRE(expected.fragments > 3);
   for (std::uint64_t k = 0; k < 8; ++k) {
-    const auto first = tests::crash({.seed = seed, .precision = precision});
-    const std::uint64_t cut = draw(seed, k, expected.steps);
+    const auto first = tests::crash(options);
+    const std::uint64_t cut = draw(options.seed, k, expected.steps);
     for (std::uint64_t n = 0; n < cut; ++n) REQUIRE(first->stepOnce().ok());
     const std::vector<std::byte> checkpoint = first->checkpoint();
 
-    const auto resumed = tests::crash({.threads = 2, .seed = seed, .precision = precision});
+    tests::CrashOptions moreThreads = options;
+    moreThreads.threads = 2;
+    const auto resumed = tests::crash(moreThreads);
     REQUIRE(resumed->restore(checkpoint).ok());
     CHECK(resumed->stateHash() == first->stateHash());
     CHECK(resumed->time() == first->time());
@@ -55,6 +55,16 @@ TEST_CASE("a run resumed from any step ends like the unbroken one, bit for bit")
     tests::run(*resumed, kUntil);
     CHECK(endingOf(*resumed) == expected);
   }
+}
+
+TEST_CASE("a run resumed from any step ends like the unbroken one, bit for bit") {
+  const std::uint64_t seed = GENERATE(1, 2, 3);
+  const auto precision = GENERATE(sim::Precision::float64, sim::Precision::float32);
+  checkResuming({.seed = seed, .precision = precision});
+}
+
+TEST_CASE("a run that fell on a mesh is resumed bit for bit, too") {
+  checkResuming({.onSheet = true});
 }
 
 TEST_CASE("a run can be taken back to where it was") {

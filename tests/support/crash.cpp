@@ -1,5 +1,7 @@
 #include "tests/support/crash.h"
 
+#include "tests/support/meshes.h"
+
 namespace tests {
 namespace {
 
@@ -11,6 +13,16 @@ sim::Track track(sim::TrackTarget target, std::uint32_t object, sim::Interpolati
   track.interpolation = interpolation;
   track.keys = std::move(keys);
   return track;
+}
+
+sim::Environment surroundings(const CrashOptions& options) {
+  sim::Environment environment = earth();
+  if (!options.onSheet) return environment;
+  sim::Collider& sheet = environment.colliders.front();
+  sheet.shape = sim::ColliderShape::mesh;
+  sheet.mesh = std::make_shared<const sim::TriangleMesh>(sheetMesh(30.0));
+  sheet.halfThickness = 0.1;
+  return environment;
 }
 
 }  // namespace
@@ -40,7 +52,7 @@ std::unique_ptr<sim::Simulation> crash(const CrashOptions& options) {
             {{0.001, sim::Vec3::UnitX()}, {0.002, 0.7 * sim::Vec3::UnitX()}}),
       track(sim::TrackTarget::colliderPosition, 0, sim::Interpolation::linear,
             {{0.0005, sim::Vec3::Zero()}, {0.0025, sim::Vec3(0.0, 0.0, 0.3)}})};
-  return simulation(std::move(blueprint), settings, earth(), tracks);
+  return simulation(std::move(blueprint), settings, surroundings(options), tracks);
 }
 
 }  // namespace tests

@@ -12,6 +12,7 @@ struct CrashOptions {
   sim::Method method = sim::Settings{}.method;
   std::optional<double> tolerance = {};
   sim::Precision precision = sim::Settings{}.precision;
+  bool onSheet = false;  ///< it falls on a thin sheet of triangles instead of a floor
 };
 
 /// A brittle block falls onto a plastic one that lies on a moving floor, while gravity and stiffness are
