@@ -16,6 +16,7 @@
 #include "ui/editors/editor_actions.h"
 #include "ui/editors/glue_editing.h"
 #include "ui/editors/profile_canvas.h"
+#include "ui/editors/render_dialog.h"
 #include "ui/editors/threshold_dialog.h"
 #include "ui/panels/add_actions.h"
 #include "ui/panels/diagnostics_panel.h"
@@ -304,7 +305,8 @@ void takeInspector(WindowStudio& studio) {
 
 void takeRender(WindowStudio& studio) {
   studio.trigger("Render");
-  auto* dialog = studio.window().findChild<QDialog*>("render-dialog");
+  auto* dialog = studio.window().findChild<ui::RenderDialog*>("render-dialog");
+  studio.waitUntil("the preview", [dialog] { return dialog->view().image && dialog->view().ended; });
   studio.take("render", dialog);
   dialog->close();
 }

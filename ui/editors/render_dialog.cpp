@@ -295,6 +295,8 @@ void RenderDialog::showState() {
     text = stopped_ ? tr("Stopped.") : tr("Written to %1").arg(file_);
   } else if (!session_.shown().moment) {
     text = tr("There is nothing to draw yet.");
+  } else if (!view_.ended) {
+    text = tr("Drawing a preview…");
   } else {
     text = tr("A preview, with few samples.");
   }
