@@ -21,6 +21,7 @@ struct ExportOptions {
   std::string out;
   std::string frames = ":";
   sim::LooseNodes looseNodes = sim::LooseNodes::shards;
+  bool levelSurface = false;
 };
 
 sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& take, const FrameRange& range,
@@ -35,6 +36,7 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
   auto status = format.write(take, {.path = options.out,
                                     .firstFrame = range.first,
                                     .lastFrame = range.last,
+                                    .levelSurface = options.levelSurface,
                                     .progress = show,
                                     .remark = remark,
                                     .looseNodes = options.looseNodes});
@@ -45,6 +47,10 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
 ExitStatus exportTake(const ExportOptions& options) {
   const auto format = modeling::exportFormatNamed(options.format);
   if (!format) return complain(format.problem());
+  if (options.levelSurface && !format->levelSurface) {
+    return complain(sim::Problem{"--level-surface", "the format " + format->name + " cannot have it",
+                                 "use --format obj or ply"});
+  }
   const auto take = sim::TakeReader::open(options.take);
   if (!take) return complain(take.problem());
   if (const auto some = needFrames(**take, options.take); !some) return complain(some.problem());
@@ -73,6 +79,10 @@ void addExportCommand(CLI::App& program, ExitStatus& status) {
       ->required();
   command->add_option("--frames", options->frames, "Frames A:B, counted from 0 (default: all)");
   addLooseNodes(*command, options->looseNodes);
+  command->add_flag(
+      "--level-surface", options->levelSurface,
+      "The surface on which the potential field of the nodes has one value, in place of the cells' "
+      "(obj, ply)");
   command->callback([options, &status] { status = exportTake(*options); });
 }
 

@@ -18,6 +18,7 @@
 #include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
 #include "modeling/exchange/export.h"
+#include "modeling/scene/scene_names.h"
 #include "ui/picture/take_pictures.h"
 #include "ui/picture/video.h"
 
@@ -43,13 +44,21 @@ struct RenderOptions {
   bool resume = false;
   double framesPerSecond = 0.0;
   ui::PictureChoices choices;
+  std::vector<std::string> settings;  ///< of the scene
+  std::vector<std::string> style;     ///< the same, by options of their own
 
+  std::vector<std::string> allSettings() const {
+    std::vector<std::string> all = settings;
+    all.insert(all.end(), style.begin(), style.end());
+    return all;
+  }
   bool isSequence() const { return !frames.empty() || ui::isVideoPath(out); }
   /// What pictures depend on but for the number of samples: more can be added to those that were kept.
   std::string nameOf(std::size_t frame) const {
     std::ostringstream name;
     name << take << " frame " << frame << " " << size << " " << static_cast<int>(choices.looseNodes) << " "
          << choices.shutter << " " << choices.aperture.value_or(-1.0);
+    for (const std::string& setting : allSettings()) name << " " << setting;
     return name.str();
   }
 };
@@ -170,8 +179,9 @@ ExitStatus render(const RenderOptions& options) {
   if (const auto some = needFrames(**take, options.take); !some) return complain(some.problem());
   const auto range = framesWanted(options, **take);
   if (!range) return complain(range.problem());
-  auto frames = ui::framesOf(**take);
+  auto frames = ui::framesOf(**take, options.allSettings());
   if (!frames) return complain(frames.problem());
+  frames->folder = std::filesystem::path(options.take).parent_path();
   const double fps = options.framesPerSecond > 0.0 ? options.framesPerSecond : frames->framesPerSecond;
   const double aspect = static_cast<double>(settings.width) / std::max(1, settings.height);
   auto pictures =
@@ -186,6 +196,31 @@ ExitStatus render(const RenderOptions& options) {
 
 void addLooks(CLI::App& command, RenderOptions& options) {
   addLooseNodes(command, options.choices.looseNodes);
+  // Short for --set view.picture...=NAME.
+  const auto shortFor = [&](const std::string& option, const std::string& path,
+                            const std::vector<std::string>& names, const std::string& help) {
+    command
+        .add_option_function<std::string>(
+            option, [&options, path](const std::string& name) { options.style.push_back(path + "=" + name); },
+            help)
+        ->check(CLI::IsMember(names));
+  };
+  shortFor("--surface", "view.picture.surface", modeling::EnumNames<modeling::PictureSurface>::names(),
+           "Of the cells, or the level surface of the nodes' potential field (default: the scene's)");
+  shortFor("--ground", "view.picture.ground.kind", modeling::EnumNames<modeling::GroundKind>::names(),
+           "What things stand on (default: the scene's)");
+  shortFor("--backdrop", "view.picture.backdrop.kind", modeling::EnumNames<modeling::BackdropKind>::names(),
+           "What is seen where there is nothing (default: the scene's)");
+  command.add_option_function<std::string>(
+      "--environment",
+      [&options](const std::string& image) {
+        const std::string path = std::filesystem::absolute(image).string();
+        options.style.push_back("view.picture.environment.image=\"" + path + "\"");
+      },
+      "Image of all around, OpenEXR, Radiance .hdr or PNG, that lights in place of the studio's lamps "
+      "(default: the scene's, which is looked for beside the take)");
+  command.add_option("--set", options.settings,
+                     "PATH=VALUE: a value of the scene, such as view.picture.ground.colour=[0.8,0.2,0.1]");
   command
       .add_option("--shutter", options.choices.shutter,
                   "Share of a frame's time that the shutter is open: what moves is blurred")

@@ -15,6 +15,7 @@ struct ExportRequest {
   std::filesystem::path path;
   std::size_t firstFrame = 0;
   std::size_t lastFrame = 0;  ///< inclusive, below the take's frame count
+  bool levelSurface = false;  ///< in place of the cells' surface, for formats that can have it
   /// Told the share that is done; answers false to cancel. Files that are whole by then stay.
   std::function<bool(double)> progress;
   /// Told, in a sentence, what a person should know of what was written.
@@ -28,6 +29,7 @@ struct ExportFormat {
   std::string name;     ///< as it is asked for, and the usual end of its file names
   std::string summary;  ///< for help
   sim::Status (*write)(const sim::TakeReader& take, const ExportRequest& request);
+  bool levelSurface = false;  ///< it can have the level surface of the nodes' potential field
 };
 
 /// All formats, in the order in which help lists them.

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "modeling/exchange/text_output.h"
+#include "sim/network/level_surface.h"
 
 namespace modeling {
 
@@ -39,6 +40,11 @@ void writeFaces(const sim::SurfaceMesh& mesh, const std::vector<std::string>& na
 }
 
 }  // namespace
+
+sim::SurfaceMesh surfaceOf(const sim::TakeReader& take, const sim::Snapshot& frame,
+                           const ExportRequest& request, sim::SurfaceBuilder& builder) {
+  return request.levelSurface ? sim::levelSurfaceOf(take.network(), frame, {}) : builder.build(frame);
+}
 
 std::vector<std::string> materialNames(const sim::Network& network) {
   std::vector<std::string> names;

@@ -3,11 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "modeling/exchange/export.h"
 #include "modeling/exchange/take_scene.h"
 #include "sim/network/surface_mesh.h"
 
 /// The pieces of Wavefront OBJ files that several formats are made of.
 namespace modeling {
+
+/// The surface of a frame that was asked for.
+sim::SurfaceMesh surfaceOf(const sim::TakeReader& take, const sim::Snapshot& frame,
+                           const ExportRequest& request, sim::SurfaceBuilder& builder);
 
 /// One word a material. Entries of one name are one material to look at.
 std::vector<std::string> materialNames(const sim::Network& network);

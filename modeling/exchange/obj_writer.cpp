@@ -28,7 +28,7 @@ sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request) 
   sim::SurfaceBuilder builder(take.network(), request.looseNodes);
   return forEachFrame(take, request, [&](std::size_t index, const sim::Snapshot& frame) {
     return writeObjSurface(framePath(request, index), library.filename().string(), names,
-                           builder.build(frame), timeRemark(frame.time));
+                           surfaceOf(take, frame, request, builder), timeRemark(frame.time));
   });
 }
 

@@ -72,7 +72,7 @@ sim::Status writeSurface(const std::filesystem::path& path, const sim::TakeReade
 sim::Status writePly(const sim::TakeReader& take, const ExportRequest& request) {
   sim::SurfaceBuilder builder(take.network(), request.looseNodes);
   return forEachFrame(take, request, [&](std::size_t index, const sim::Snapshot& frame) {
-    return writeSurface(framePath(request, index), take, builder.build(frame), frame);
+    return writeSurface(framePath(request, index), take, surfaceOf(take, frame, request, builder), frame);
   });
 }
 

@@ -24,9 +24,9 @@ sim::Vec3 vectorAt(const SceneTrack& track, double time) {
 
 }  // namespace
 
-sim::Result<Scene> sceneOf(const sim::TakeReader& take) {
+sim::Result<Scene> sceneOf(const sim::TakeReader& take, const std::vector<std::string>& settings) {
   if (take.header().scene.empty()) return Scene{};
-  auto file = parseScene(take.header().scene, "the take's scene");
+  auto file = parseScene(take.header().scene, "the take's scene", settings);
   if (!file) return file.problem();
   return std::move(file->scene);
 }

@@ -151,6 +151,11 @@ MaybeProblem firstProblem(const Scene& scene) {
     if (auto problem = checkTarget(place + ".target", track.target, materials, colliders)) return problem;
     if (auto problem = checkKeys(place + ".keys", track)) return problem;
   }
+  const PictureStyle& picture = scene.view.picture;
+  if (picture.backdrop.kind == BackdropKind::environment && picture.environment.image.empty()) {
+    return Problem{"view.picture.backdrop.kind", "there is no image of the environment to be seen",
+                   "name one in view.picture.environment.image"};
+  }
   return std::nullopt;
 }
 

@@ -357,11 +357,61 @@ struct Fields<Camera> {
 };
 
 template <>
+struct Fields<Ground> {
+  static constexpr auto list() {
+    using T = Ground;
+    return std::tuple{
+        field("kind", &T::kind,
+              "studio: a visible floor, grey, that fades into the backdrop; others: a plane."),
+        field("colour", &T::colour, "sRGB; left out: the kind's own.").atLeast(0).atMost(1),
+        field("second", &T::second, "Other squares, or the grain of wood, sRGB.").atLeast(0).atMost(1),
+        field("size", &T::size, "Of a square, width of a plank, cm.").above(0)};
+  }
+};
+
+template <>
+struct Fields<Backdrop> {
+  static constexpr auto list() {
+    using T = Backdrop;
+    return std::tuple{
+        field("kind", &T::kind, "environment: the image of the environment."),
+        field("colour", &T::colour, "Of a gradient: at the horizon, sRGB.").atLeast(0).atMost(1),
+        field("top", &T::top, "Of a gradient: overhead, sRGB.").atLeast(0).atMost(1)};
+  }
+};
+
+template <>
+struct Fields<EnvironmentLight> {
+  static constexpr auto list() {
+    using T = EnvironmentLight;
+    return std::tuple{
+        field("image", &T::image,
+              "OpenEXR, Radiance .hdr or PNG of all around, twice as wide as high: it lights in place of the "
+              "studio's lamps."),
+        field("strength", &T::strength, "Factor of its light.").above(0),
+        field("turn", &T::turn, "About the vertical, degrees; 0: its middle lies towards +y.")};
+  }
+};
+
+template <>
+struct Fields<PictureStyle> {
+  static constexpr auto list() {
+    using T = PictureStyle;
+    return std::tuple{
+        field("surface", &T::surface, "Of the cells, or the level surface of the nodes' potential field."),
+        field("ground", &T::ground, "What things stand on."),
+        field("backdrop", &T::backdrop, "What is seen where there is nothing."),
+        field("environment", &T::environment, "Light from an image.")};
+  }
+};
+
+template <>
 struct Fields<View> {
   static constexpr auto list() {
     using T = View;
     return std::tuple{
         field("camera", &T::camera, "Left out: everything is framed."),
+        field("picture", &T::picture, "Ground, backdrop and light of ray-traced pictures."),
         field("hidden", &T::hidden, "Names of parts that are simulated, but not drawn in the window."),
         field("locked", &T::locked, "Names of parts and colliders that clicks in the window pass over.")};
   }

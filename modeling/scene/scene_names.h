@@ -99,6 +99,30 @@ struct EnumNames<Finish> : NameTable<EnumNames<Finish>, Finish> {
 };
 
 template <>
+struct EnumNames<PictureSurface> : NameTable<EnumNames<PictureSurface>, PictureSurface> {
+  static constexpr std::array<NameRow<PictureSurface>, 2> kTable{
+      {{"cells", PictureSurface::cells}, {"level", PictureSurface::level}}};
+};
+
+template <>
+struct EnumNames<GroundKind> : NameTable<EnumNames<GroundKind>, GroundKind> {
+  static constexpr std::array<NameRow<GroundKind>, 6> kTable{{{"studio", GroundKind::studio},
+                                                              {"none", GroundKind::none},
+                                                              {"plain", GroundKind::plain},
+                                                              {"checker", GroundKind::checker},
+                                                              {"wood", GroundKind::wood},
+                                                              {"shadow", GroundKind::shadow}}};
+};
+
+template <>
+struct EnumNames<BackdropKind> : NameTable<EnumNames<BackdropKind>, BackdropKind> {
+  static constexpr std::array<NameRow<BackdropKind>, 4> kTable{{{"studio", BackdropKind::studio},
+                                                                {"colour", BackdropKind::colour},
+                                                                {"gradient", BackdropKind::gradient},
+                                                                {"environment", BackdropKind::environment}}};
+};
+
+template <>
 struct EnumNames<sim::Method> {
   static std::vector<std::string> names() { return sim::methodNames(); }
   static std::optional<sim::Method> find(std::string_view name) { return sim::methodFromName(name); }

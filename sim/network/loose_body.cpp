@@ -7,6 +7,7 @@
 
 #include "sim/base/random.h"
 #include "sim/network/body_surface.h"
+#include "sim/network/cell_shape.h"
 #include "sim/network/surface_mesh.h"
 
 namespace sim {
@@ -77,13 +78,43 @@ Shape sphere(double radius) {
   return shape;
 }
 
+double volumeOf(const Shape& shape) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : shape.sides)
+    sum += shape.corners[a].dot(shape.corners[b].cross(shape.corners[c])) / 6.0;
+  return sum;
+}
+
+/// Under a bilinear side is the mean of what is under its two divisions into triangles.
+double volumeOf(const Network& network, const CellCorners& cell) {
+  double sum = 0.0;
+  for (const auto& side : kSideCorners) {
+    const auto at = [&](unsigned corner) -> const Vec3& { return network.positions[cell[side[corner % 4]]]; };
+    for (unsigned c = 0; c < 4; ++c) sum += at(c).dot(at(c + 1).cross(at(c + 2))) / 12.0;
+  }
+  return sum;
+}
+
 }  // namespace
 
-void addLooseBody(const Network& network, const Snapshot& moment, NodeIndex node, bool isSphere, float damage,
-                  SurfaceTopology& topology) {
+std::vector<double> volumesOfNodes(const Network& network) {
+  std::vector<double> volumes(network.nodeCount(), 0.0);
+  for (const CellCorners& cell : network.cells) {
+    const double share = volumeOf(network, cell) / kCellCorners;
+    for (const NodeIndex node : cell) volumes[node] += share;
+  }
+  return volumes;
+}
+
+void addLooseBody(const Network& network, const Snapshot& moment, NodeIndex node, bool isSphere,
+                  double volume, float damage, SurfaceTopology& topology) {
   const double reach = SurfaceBuilder::kLooseReach * static_cast<double>(network.radii[node]);
   // As large as the tetrahedron, whose corners stand out.
-  const Shape shape = isSphere ? sphere(0.6 * reach) : tetrahedron(node, reach);
+  Shape shape = isSphere ? sphere(0.6 * reach) : tetrahedron(node, reach);
+  if (volume > 0.0) {
+    const double larger = std::cbrt(volume / volumeOf(shape));
+    for (Vec3& corner : shape.corners) corner *= larger;
+  }
   const auto firstPoint = static_cast<std::uint32_t>(topology.pointCount());
   const auto fit = static_cast<std::uint32_t>(topology.fits.size());
   const auto supports = static_cast<std::uint32_t>(topology.supports.size());

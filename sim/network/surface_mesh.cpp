@@ -32,12 +32,18 @@ bool isAsBefore(const CellComplex& complex, const CellComplex::Body& body, const
 }  // namespace
 
 struct SurfaceBuilder::Parts {
-  Parts(const Network& network, LooseNodes loose) : complex(network), whole(complex), looseNodes(loose) {}
+  Parts(const Network& network, LooseNodes loose) : complex(network), whole(complex), looseNodes(loose) {
+    if (loose == LooseNodes::spheres || loose == LooseNodes::tetrahedra)
+      nodeVolumes = volumesOfNodes(network);
+  }
+  /// Of what is drawn at a loose node.
+  double volumeAt(NodeIndex node) const { return nodeVolumes.empty() ? 0.0 : nodeVolumes[node]; }
 
   CellComplex complex;
   WholeOutside whole;
   LooseNodes looseNodes;
-  Snapshot before;  ///< what is broken, and fragments, of the last call; no positions
+  std::vector<double> nodeVolumes;  ///< only for bodies drawn in place of shards
+  Snapshot before;                  ///< what is broken, and fragments, of the last call; no positions
   std::vector<SurfaceTopology> bodies;
   std::size_t rebuilt = 0;
 };
@@ -72,7 +78,8 @@ SurfaceTopology SurfaceBuilder::topology(const Snapshot& moment) {
     made = bodySurface(parts.complex, parts.whole, cuts, bodies[body], moment, parts.looseNodes, damage);
     if (spheres || parts.looseNodes == LooseNodes::tetrahedra) {
       for (const NodeIndex node : bodies[body].nodes) {
-        if (cuts.isLoose(node)) addLooseBody(network, moment, node, spheres, damage[node], made);
+        if (cuts.isLoose(node))
+          addLooseBody(network, moment, node, spheres, parts.volumeAt(node), damage[node], made);
       }
     }
     finishTopology(made);
@@ -85,7 +92,8 @@ SurfaceTopology SurfaceBuilder::topology(const Snapshot& moment) {
   for (const SurfaceTopology& body : parts.bodies) appendTopology(all, body);
   SurfaceTopology bare;
   for (const NodeIndex node : parts.complex.bareNodes()) {
-    if (cuts.isLoose(node)) addLooseBody(network, moment, node, spheres, damage[node], bare);
+    if (cuts.isLoose(node))
+      addLooseBody(network, moment, node, spheres, parts.volumeAt(node), damage[node], bare);
   }
   finishTopology(bare);
   appendTopology(all, bare);

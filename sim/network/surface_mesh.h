@@ -17,8 +17,9 @@ namespace sim {
 /// A body in which nothing has broken since the last call is taken over from it. One thread at a time.
 class SurfaceBuilder {
  public:
-  /// Tetrahedra and spheres are inside the sphere of kLooseReach times the node's radius: two that touch are
-  /// one radius apart, 0.75 lets irregular ones nearly meet and rarely overlap.
+  /// Tetrahedra and spheres have the volume of the node's share of its cells. Of nodes that no cell has, they
+  /// are inside the sphere of kLooseReach times the node's radius: two that touch are one radius apart, 0.75
+  /// lets irregular ones nearly meet and rarely overlap.
   static constexpr double kLooseReach = 0.75;
 
   /// Keeps a reference to the network.

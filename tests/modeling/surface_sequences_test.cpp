@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/exchange/export.h"
+#include "sim/network/level_surface.h"
 #include "tests/sim/take_sample.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"
@@ -34,14 +35,18 @@ TEST_CASE("another program reads the surface of every frame from PLY files and O
   const tests::ScratchFolder scratch;
   const std::string ending = GENERATE(".ply", ".obj");
   const auto path = scratch.file("pieces" + ending);
-  const modeling::ExportRequest request{.path = path, .lastFrame = 3, .progress = {}};
+  const bool level = GENERATE(false, true);
+  const modeling::ExportRequest request{.path = path, .lastFrame = 3, .levelSurface = level, .progress = {}};
   REQUIRE((ending == ".ply" ? modeling::writePly : modeling::writeObj)(take, request).ok());
   for (std::size_t frame = 0; frame < 4; ++frame) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(modeling::numberedPath(path, frame).string(), 0);
     INFO(importer.GetErrorString());
     REQUIRE(scene != nullptr);
-    const sim::SurfaceMesh mesh = sim::SurfaceBuilder(take.network()).build(**take.frame(frame));
+    const sim::SnapshotPointer kept = *take.frame(frame);
+    const sim::Snapshot& moment = *kept;
+    const sim::SurfaceMesh mesh = level ? sim::levelSurfaceOf(take.network(), moment, {})
+                                        : sim::SurfaceBuilder(take.network()).build(moment);
     CHECK(tests::apart(mesh.points, pointsOf(*scene)) < 1e-5);
     unsigned faces = 0;
     for (unsigned m = 0; m < scene->mNumMeshes; ++m) {

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
+#include "sim/network/level_surface.h"
 #include "sim/network/surface_mesh.h"
 #include "tests/support/grid_network.h"
 
@@ -415,8 +416,11 @@ TEST_CASE("a loose node is an outward shard of its cells' material") {
   CHECK(isClosed(mesh));
 }
 
-TEST_CASE("loose nodes can be tetrahedra or spheres within their reach") {
-  const Network network = gridNetwork(2, 1, 1);
+TEST_CASE("loose nodes can be tetrahedra or spheres of as much material as they have") {
+  // Distorted, so that no two cells are alike.
+  const Network network = gridNetwork(2, 1, 1, [](const Vec3& at) {
+    return Vec3(at + 0.2 * Vec3(at.y() * at.z(), at.x() * at.x() * at.z(), at.x() * at.y()));
+  });
   const Snapshot moment = broken(network, {0, 1});
   for (const auto loose : {LooseNodes::tetrahedra, LooseNodes::spheres}) {
     const SurfaceMesh mesh = SurfaceBuilder(network, loose).build(moment);
@@ -428,10 +432,9 @@ TEST_CASE("loose nodes can be tetrahedra or spheres within their reach") {
     CHECK(isClosed(mesh));
     for (const auto& face : mesh.faces) CHECK(face.inside);
     if (loose == LooseNodes::tetrahedra) CHECK(sizes.size() == network.nodeCount());
-    for (std::size_t point = 0; point < mesh.points.size(); ++point) {
-      const double reach = (mesh.points[point] - network.positions[mesh.nodeOfPoint[point]]).norm();
-      CHECK(reach <= SurfaceBuilder::kLooseReach * network.radii[mesh.nodeOfPoint[point]] * (1.0 + 1e-12));
-    }
+    double whole = 0.0;
+    for (const auto& cell : network.cells) whole += cellVolume(cell, network.positions);
+    CHECK(totalVolume(mesh) == Approx(whole).epsilon(1e-9));
   }
 }
 
@@ -445,6 +448,48 @@ TEST_CASE("a node that still hangs on a bond is not loose") {
                                        [](const auto& face) { return face.cell == sim::kNone; });
   CHECK(triangles == static_cast<std::ptrdiff_t>(4 * (network.nodeCount() - 2)));
   CHECK(isClosed(mesh));
+}
+
+TEST_CASE("the level surface of one node is a ball around it, seen from outside") {
+  const Vec3 middle(1, 2, 3);
+  const sim::LevelSurface ball =
+      sim::levelSurface({{middle, 2.0}}, {.mostCubes = 100'000}, [] { return false; });
+  REQUIRE(ball.quads.size() > 150);
+  const double radius = (ball.points[0] - middle).norm();
+  for (std::size_t p = 0; p < ball.points.size(); ++p) {
+    // The grid is a fifth of the reach: the surface is within a fraction of that.
+    CHECK((ball.points[p] - middle).norm() == Approx(radius).margin(0.1));
+    CHECK(ball.normals[p].dot((ball.points[p] - middle).normalized()) > 0.98);
+  }
+  for (const auto& quad : ball.quads) {
+    const Vec3 across = ball.points[quad[2]] - ball.points[quad[0]];
+    const Vec3 up = ball.points[quad[3]] - ball.points[quad[1]];
+    CHECK(across.cross(up).dot(ball.points[quad[0]] - middle) > 0.0);
+  }
+}
+
+TEST_CASE("the level surface of a network is closed, holds its nodes, and knows whose each face is") {
+  const sim::Network network = tests::gridNetwork(4, 3, 2);
+  sim::Snapshot moment = sim::momentAtRest(network);
+  tests::breakBetween(network, 2.5, moment);
+  for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    const bool second = network.positions[node].x() > 2.5;
+    moment.fragmentOfNode[node] = second ? 1 : 0;
+    if (second) moment.positions[node].x() += 5.0;
+  }
+  const sim::SurfaceMesh mesh = sim::levelSurfaceOf(network, moment, {});
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  double volume = 0.0;
+  for (const auto& face : mesh.faces) {
+    CHECK(face.fragment == (mesh.points[face.points[0]].x() < 5.0 ? 0U : 1U));
+    for (unsigned c = 0; c < 4; ++c) ++edges[{face.points[c], face.points[(c + 1) % 4]}];
+    const auto at = [&](unsigned c) { return mesh.points[face.points[c]]; };
+    volume += (at(0).dot(at(1).cross(at(2))) + at(0).dot(at(2).cross(at(3)))) / 6.0;
+  }
+  for (const auto& [edge, count] : edges) CHECK(edges.at({edge.second, edge.first}) == count);
+  // Two pieces of 2 x 3 x 2 and 1 x 3 x 2 cells of edge 1, up to an edge thicker on all sides.
+  CHECK(volume > 18.0);
+  CHECK(volume < 4 * 5 * 4 + 3 * 5 * 4);
 }
 
 }  // namespace

@@ -54,6 +54,25 @@ TEST_CASE("a picture of a frame has the surface, the looks, and colliders where 
   CHECK((scene->colliders[1].rotation * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-12);
 }
 
+TEST_CASE(
+    "a picture can have the level surface of the nodes, and asks for an image only where one is named") {
+  const MemoryTake take = slidingBlock(R"(, "view": {"picture": {"surface": "level"}})");
+  auto pictures = ui::TakePictures::create(ui::framesOf(take).value(), 0, 2, 1.5, {.shutter = 0.5});
+  REQUIRE(pictures.ok());
+  const auto scene = pictures->sceneOf(1);
+  REQUIRE(scene.ok());
+  CHECK(scene->surface.faces.size() > 500);
+  CHECK(scene->endPoints.size() == scene->surface.points.size());
+  CHECK_FALSE(scene->environment);
+  const std::vector<std::string> missing{"view.picture.environment.image=nowhere.hdr"};
+  auto frames = ui::framesOf(take, missing).value();
+  frames.folder = "/no/such/folder";
+  const auto lit = ui::TakePictures::create(std::move(frames), 0, 2, 1.5);
+  REQUIRE_FALSE(lit.ok());
+  CHECK(lit.problem().place == "/no/such/folder/nowhere.hdr");
+  CHECK_FALSE(ui::framesOf(take, {"view.picture.backdrop.kind=environment"}).ok());
+}
+
 TEST_CASE("without a view, one camera sees all frames of a sequence") {
   const MemoryTake take = slidingBlock("");
   auto pictures = ui::TakePictures::create(ui::framesOf(take).value(), 0, 2, 1.5);

@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "ui/viewport/level_surface.h"
 #include "ui/viewport/navigator.h"
 #include "ui/viewport/transform.h"
 
@@ -129,25 +128,6 @@ TEST_CASE("A transform moves what is selected, about its pivot, and nothing else
 
   start.apply({}, scene);
   CHECK(scene == before);
-}
-
-TEST_CASE("The level surface of one node is a ball around it, seen from outside") {
-  const ui::LevelDraw draw =
-      ui::levelSurface({{sim::Vec3(1, 2, 3), 2.0, 0xffffffffU}}, 100'000, [] { return false; });
-  REQUIRE(draw.indices.size() > 300);
-  const double radius = (Eigen::Map<const Eigen::Vector3f>(draw.vertices[0].position.data()).cast<double>() -
-                         sim::Vec3(1, 2, 3))
-                            .norm();
-  for (std::size_t i = 0; i < draw.indices.size(); i += 3) {
-    std::array<sim::Vec3, 3> corner;
-    for (std::size_t c = 0; c < 3; ++c)
-      corner[c] = Eigen::Map<const Eigen::Vector3f>(draw.vertices[draw.indices[i + c]].position.data())
-                      .cast<double>() -
-                  sim::Vec3(1, 2, 3);
-    // The grid is a fifth of the reach: the surface is within a fraction of that.
-    CHECK(corner[0].norm() == Approx(radius).margin(0.1));
-    CHECK((corner[1] - corner[0]).cross(corner[2] - corner[0]).dot(corner[0]) >= -1e-9);
-  }
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ constexpr int kPreviewSamples = 32;
 
 enum What : int { kStill, kAllFrames };
 enum From : int { kViewport, kScene };
+enum LitBy : int { kStudioLamps = 1, kFromImage };
 
 Camera cameraOf(const modeling::Camera& camera) {
   return {camera.position, camera.target, camera.fieldOfView * std::numbers::pi / 180.0, camera.aperture,
@@ -114,18 +115,58 @@ NumberField* RenderDialog::numberField(const QString& name, double least, double
   return field;
 }
 
+QComboBox* RenderDialog::combo(const QString& name, const QStringList& items) {
+  auto* made = new QComboBox(this);
+  made->setObjectName(name);
+  made->addItems(items);
+  connect(made, &QComboBox::currentIndexChanged, &again_, qOverload<>(&QTimer::start));
+  return made;
+}
+
+/// In the order of the scene's choices, which are what they replace.
+void RenderDialog::addStyle(QFormLayout& form) {
+  const QString asScene = tr("As in the scene");
+  surface_ = combo(QStringLiteral("render-surface"), {asScene, tr("Of the cells"), tr("Level surface")});
+  ground_ = combo(QStringLiteral("render-ground"), {asScene, tr("Studio floor"), tr("None"), tr("Plain"),
+                                                    tr("Checker"), tr("Wood"), tr("Shadows only")});
+  backdrop_ = combo(QStringLiteral("render-backdrop"),
+                    {asScene, tr("Studio"), tr("Colour"), tr("Gradient"), tr("Environment")});
+  light_ = combo(QStringLiteral("render-light"), {asScene, tr("Studio lamps"), tr("From an image…")});
+  light_->setToolTip(tr("An image of all around: OpenEXR, Radiance .hdr or PNG"));
+  connect(light_, &QComboBox::activated, this, [this](int index) {
+    if (index == kFromImage) askForEnvironment();
+  });
+  form.addRow(tr("Surface"), surface_);
+  form.addRow(tr("Ground"), ground_);
+  form.addRow(tr("Backdrop"), backdrop_);
+  form.addRow(tr("Light"), light_);
+}
+
+void RenderDialog::askForEnvironment() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Image of all around"), environment_,
+                                                    tr("Images (*.exr *.hdr *.png)"));
+  if (!file.isEmpty()) environment_ = file;
+  if (environment_.isEmpty()) light_->setCurrentIndex(0);
+  again_.start();
+}
+
+modeling::PictureStyle RenderDialog::styleFrom(modeling::PictureStyle style) const {
+  if (const int index = surface_->currentIndex(); index > 0)
+    style.surface = static_cast<modeling::PictureSurface>(index - 1);
+  if (const int index = ground_->currentIndex(); index > 0)
+    style.ground.kind = static_cast<modeling::GroundKind>(index - 1);
+  if (const int index = backdrop_->currentIndex(); index > 0)
+    style.backdrop.kind = static_cast<modeling::BackdropKind>(index - 1);
+  if (light_->currentIndex() == kStudioLamps) style.environment.image.clear();
+  if (light_->currentIndex() == kFromImage) style.environment.image = environment_.toStdString();
+  return style;
+}
+
 QWidget* RenderDialog::makeChoices() {
   // Made in the order in which Tab goes through them.
   auto* box = new QWidget(this);
   auto* form = new QFormLayout(box);
   form->setContentsMargins(0, 0, 0, 0);
-  const auto combo = [&](const QString& name, const QStringList& items) {
-    auto* made = new QComboBox(box);
-    made->setObjectName(name);
-    made->addItems(items);
-    connect(made, &QComboBox::currentIndexChanged, &again_, qOverload<>(&QTimer::start));
-    return made;
-  };
   what_ = combo(QStringLiteral("render-what"), {tr("This moment"), tr("All frames of the take")});
   camera_ = combo(QStringLiteral("render-camera"), {tr("As in the viewport"), tr("Of the scene")});
   width_ = numberField(QStringLiteral("render-width"), 16, 8192, 1280, true, tr("Pixels"));
@@ -149,6 +190,7 @@ QWidget* RenderDialog::makeChoices() {
   form->addRow(tr("Aperture, cm"), aperture_);
   form->addRow(tr("Shutter"), shutter_);
   form->addRow(tr("Loose nodes"), looseNodes_);
+  addStyle(*form);
   form->addRow(QString(), sixteenBit_);
   box->setFixedWidth(290);
   return box;
@@ -194,6 +236,8 @@ std::optional<PictureJob::Order> RenderDialog::order() const {
     order.frames = framesOfMoment(shown);
   }
   order.framesPerSecond = order.frames.framesPerSecond;
+  order.frames.folder = session_.document().folder();
+  order.frames.scene.view.picture = styleFrom(order.frames.scene.view.picture);
   if (camera_->currentIndex() == kViewport) order.camera = cameraOf(viewport_.camera().asScene());
   order.choices.looseNodes = static_cast<sim::LooseNodes>(looseNodes_->currentIndex());
   order.choices.shutter = shutter_->value().value_or(0.0);

@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -39,6 +40,10 @@ class RenderDialog : public QDialog {
 
  private:
   QWidget* makeChoices();
+  QComboBox* combo(const QString& name, const QStringList& items);
+  void addStyle(QFormLayout& form);
+  void askForEnvironment();
+  modeling::PictureStyle styleFrom(modeling::PictureStyle style) const;
   QWidget* makeButtons();
   NumberField* numberField(const QString& name, double least, double most, double value, bool whole,
                            const QString& tip);
@@ -54,6 +59,11 @@ class RenderDialog : public QDialog {
   QComboBox* what_ = nullptr;
   QComboBox* camera_ = nullptr;
   QComboBox* looseNodes_ = nullptr;
+  QComboBox* surface_ = nullptr;
+  QComboBox* ground_ = nullptr;
+  QComboBox* backdrop_ = nullptr;
+  QComboBox* light_ = nullptr;
+  QString environment_;  ///< image that was chosen
   NumberField* width_ = nullptr;
   NumberField* height_ = nullptr;
   NumberField* samples_ = nullptr;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "sim/base/random.h"
+#include "ui/picture/ground_pattern.h"
 
 namespace ui {
 
@@ -20,9 +21,8 @@ constexpr float kStraightReflectance = 0.04F;
 constexpr float kBrightestIndirect = 3.0F;
 
 /// After so many surfaces that scatter, what comes from more of them is taken for a share of the dome's
-/// light.
+/// light (Studio::ambient).
 constexpr int kMostScatterings = 3;
-constexpr float kAmbient = 0.28F;
 /// Surfaces of any kind: glass has two a pane.
 constexpr int kMostSurfaces = 16;
 
@@ -34,26 +34,6 @@ enum SurfaceDimension : std::uint32_t { kChoice, kDirection, kLight, kSurfaceDim
 float fresnel(float cosine) {
   const float m = std::clamp(1.0F - cosine, 0.0F, 1.0F);
   return kStraightReflectance + (1.0F - kStraightReflectance) * m * m * m * m * m;
-}
-
-/// Smooth noise in [-1, 1]: random values at whole coordinates, blended.
-float noise(const Vec3f& at) {
-  const Eigen::Array3f cell = at.array().floor();
-  const Eigen::Array3f part = at.array() - cell;
-  const Eigen::Array3f blend = part * part * (3.0F - 2.0F * part);
-  float sum = 0.0F;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    float weight = 1.0F;
-    std::uint64_t key = 0;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      const unsigned step = corner >> axis & 1U;
-      weight *= step != 0 ? blend[axis] : 1.0F - blend[axis];
-      key = key << 21U |
-            ((static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis])) + step) & 0x1fffffU);
-    }
-    sum += weight * (static_cast<float>(sim::mixBits(key) >> 40U) * 0x1.0p-23F - 1.0F);
-  }
-  return sum;
 }
 
 /// The slope of bumps of two sizes, as on broken ceramic: grains of a few millimetres with finer ones on
@@ -113,12 +93,21 @@ struct PathTracer::Path {
   Light share = Light::Ones();
   Sees sees = Sees::dome;
   std::uint32_t dimension = kPaths;
+  float density = 0.0F;  ///< per steradian, of a mirrored direction for which the environment was asked, too
 };
 
 PathTracer::Shading PathTracer::shadingAt(const SurfaceHit& hit) const {
-  Shading at{hit.start, hit.facing, hit.normal,
-             Light(Studio::kFloorAlbedo[0], Studio::kFloorAlbedo[1], Studio::kFloorAlbedo[2])};
-  if (hit.look == nullptr) return at;
+  Shading at{hit.start, hit.facing, hit.normal, Light::Zero()};
+  if (hit.look == nullptr) {
+    const Eigen::Matrix3f frame = frameAround(hit.normal);
+    const Vec3f place = hit.point + studio_.middle;
+    const GroundLook look =
+        groundLook(studio_.style.ground, frame.col(0).dot(place), frame.col(1).dot(place));
+    at.colour = look.colour;
+    at.glaze = look.glaze;
+    at.roughness = look.roughness;
+    return at;
+  }
   if (hit.look->grainy) at.normal = grainyNormal(hit);
   at.colour = hit.look->colour;
   at.glaze = hit.look->glaze;
@@ -126,24 +115,93 @@ PathTracer::Shading PathTracer::shadingAt(const SurfaceHit& hit) const {
   return at;
 }
 
-Light PathTracer::lightFrom(const SoftBox& box, const Shading& at, float time,
-                            const std::array<float, 2>& random) const {
+/// Light that a white surface would reflect if nothing stood in the way.
+struct PathTracer::Lamp {
+  Light light = Light::Zero();
+  Vec3f direction = Vec3f::UnitZ();
+  float distance = std::numeric_limits<float>::infinity();
+};
+
+PathTracer::Lamp PathTracer::lampOf(const SoftBox& box, const Shading& at,
+                                    const std::array<float, 2>& random) {
+  Lamp lamp;
   const Vec3f offset = box.pointAt(random) - at.point;
-  const float distance = offset.norm();
-  const Vec3f direction = offset / distance;
-  const float falling = at.normal.dot(direction);
-  const float leaving = -box.front.dot(direction);
-  if (falling <= 0.0F || leaving <= 0.0F) return Light::Zero();
-  const Light through = scene_.transmitted(at.point, direction, distance, time);
-  return through * box.radianceAt(random) * (falling * leaving * box.area / (kPi * distance * distance));
+  lamp.distance = offset.norm();
+  lamp.direction = offset / lamp.distance;
+  const float falling = at.normal.dot(lamp.direction);
+  const float leaving = -box.front.dot(lamp.direction);
+  if (falling > 0.0F && leaving > 0.0F)
+    lamp.light =
+        box.radianceAt(random) * (falling * leaving * box.area / (kPi * lamp.distance * lamp.distance));
+  return lamp;
 }
 
-/// One of the two lights, chosen by the first number, which is then stretched to serve again.
+PathTracer::Lamp PathTracer::lampOf(const EnvironmentMap& environment, const Shading& at,
+                                    const std::array<float, 2>& random) {
+  const EnvironmentMap::Sample sample = environment.sample(random);
+  Lamp lamp;
+  lamp.direction = sample.direction;
+  const float falling = at.normal.dot(sample.direction);
+  if (falling > 0.0F && at.facing.dot(sample.direction) > 0.0F)
+    lamp.light = environment.radiance(sample.direction) * (falling / (kPi * sample.density));
+  return lamp;
+}
+
+Light PathTracer::arriving(const Lamp& lamp, const Shading& at, float time) const {
+  if (!(lamp.light > 0.0F).any()) return Light::Zero();
+  return lamp.light * scene_.transmitted(at.point, lamp.direction, lamp.distance, time);
+}
+
+/// From both lamps, or two samples of the environment.
+Light PathTracer::directLight(const Shading& at, float time, const PixelSampler& sampler) const {
+  const auto first = sampler.pair(kKey);
+  const auto second = sampler.pair(kFill);
+  if (const EnvironmentMap* around = studio_.environment.get())
+    return 0.5F *
+           (arriving(lampOf(*around, at, first), at, time) + arriving(lampOf(*around, at, second), at, time));
+  return arriving(lampOf(studio_.lights[0], at, first), at, time) +
+         arriving(lampOf(studio_.lights[1], at, second), at, time);
+}
+
+/// One of the two lamps, chosen by the first number, which is then stretched to serve again.
 Light PathTracer::oneLight(const Shading& at, float time, std::array<float, 2> random) const {
+  if (studio_.environment) return arriving(lampOf(*studio_.environment, at, random), at, time);
   constexpr float kKeyShare = 0.7F;
   const bool key = random[0] < kKeyShare;
   random[0] = key ? random[0] / kKeyShare : (random[0] - kKeyShare) / (1.0F - kKeyShare);
-  return lightFrom(studio_.lights[key ? 0 : 1], at, time, random) / (key ? kKeyShare : 1.0F - kKeyShare);
+  const Light light = arriving(lampOf(studio_.lights[key ? 0 : 1], at, random), at, time);
+  return light / (key ? kKeyShare : 1.0F - kKeyShare);
+}
+
+/// What a ground that shows shadows only keeps of the backdrop: less by the share of its light that things
+/// take away.
+Light PathTracer::shadowed(const SurfaceHit& hit, const Vec3f& direction, float time,
+                           const PixelSampler& sampler) const {
+  const Shading at = shadingAt(hit);
+  Light all = studio_.domeFromAbove;
+  const Vec3f up = frameAround(at.normal) * cosineHemisphere(sampler.pair(kBounce));
+  const Light high = studio_.environment ? Light(Light::Zero()) : studio_.dome(up);
+  Light taken = high - arriving({high, up}, at, time);
+  const auto add = [&](const Lamp& lamp, float weight) {
+    taken += weight * (lamp.light - arriving(lamp, at, time));
+  };
+  if (const EnvironmentMap* around = studio_.environment.get()) {
+    all = around->fromAbove();
+    add(lampOf(*around, at, sampler.pair(kKey)), 0.5F);
+    add(lampOf(*around, at, sampler.pair(kFill)), 0.5F);
+  } else {
+    for (const SoftBox& box : studio_.lights) {
+      constexpr int kAcross = 4;
+      for (int cell = 0; cell < kAcross * kAcross; ++cell) {
+        const std::array<float, 2> middle{(static_cast<float>(cell % kAcross) + 0.5F) / kAcross,
+                                          (static_cast<float>(cell / kAcross) + 0.5F) / kAcross};
+        all += lampOf(box, at, middle).light / (kAcross * kAcross);
+      }
+    }
+    add(lampOf(studio_.lights[0], at, sampler.pair(kKey)), 1.0F);
+    add(lampOf(studio_.lights[1], at, sampler.pair(kFill)), 1.0F);
+  }
+  return studio_.backdrop(direction) * (1.0F - brightness(taken) / std::max(1e-6F, brightness(all)));
 }
 
 Light PathTracer::sky(const Path& path) const {
@@ -155,7 +213,8 @@ Light PathTracer::sky(const Path& path) const {
     case Path::Sees::dome:
       break;
   }
-  return studio_.dome(path.direction);
+  // The environment has been asked where the path came from.
+  return studio_.environment ? Light(Light::Zero()) : studio_.dome(path.direction);
 }
 
 void PathTracer::mirror(const Shading& at, const std::array<float, 2>& random, Path& path) const {
@@ -167,9 +226,43 @@ void PathTracer::mirror(const Shading& at, const std::array<float, 2>& random, P
   if (const float depth = mirrored.dot(at.facing); depth <= 0.0F)
     mirrored = (mirrored + (0.01F - depth) * at.facing).normalized();
   path.share *= fresnel(std::abs(path.direction.dot(half)));
+  path.density = mirrorDensity(at, path.direction, mirrored);
   path.origin = at.point;
   path.direction = mirrored;
   path.sees = Path::Sees::room;
+}
+
+/// With which mirror() sends a path on, per steradian (Heitz 2018, equations 2, 3 and 17). Its share is
+/// Fresnel's, so that what a glaze reflects of the environment is that times this.
+float PathTracer::mirrorDensity(const Shading& at, const Vec3f& direction, const Vec3f& mirrored) {
+  const Vec3f half = (mirrored - direction).normalized();
+  const float viewed = std::abs(at.normal.dot(direction));
+  const float upright = at.normal.dot(half);
+  const float squared = at.roughness * at.roughness;
+  const float spread = upright * upright * (squared - 1.0F) + 1.0F;
+  const float visible = 2.0F / (viewed + std::sqrt(squared + (1.0F - squared) * viewed * viewed));
+  return squared / (kPi * spread * spread) * visible / 4.0F;
+}
+
+/// The share of an estimate among two that may both find a direction (Veach's balance heuristic).
+float PathTracer::mirrorShare(const Path& path) const {
+  if (!studio_.environment || !(path.density > 0.0F)) return 1.0F;
+  return path.density / (path.density + studio_.environment->density(path.direction));
+}
+
+/// What a glaze mirrors of small bright lights, which mirrored paths seldom meet.
+Light PathTracer::glossFrom(const EnvironmentMap& around, const Shading& at, const Vec3f& direction,
+                            float time, const std::array<float, 2>& random) const {
+  const EnvironmentMap::Sample sample = around.sample(random);
+  if (at.normal.dot(sample.direction) <= 0.0F || at.facing.dot(sample.direction) <= 0.0F)
+    return Light::Zero();
+  const float density = mirrorDensity(at, direction, sample.direction);
+  const Vec3f half = (sample.direction - direction).normalized();
+  const float weight = fresnel(std::abs(direction.dot(half))) * density / (density + sample.density);
+  Lamp lamp;
+  lamp.light = weight * around.radiance(sample.direction);
+  lamp.direction = sample.direction;
+  return arriving(lamp, at, time);
 }
 
 bool PathTracer::reflectAtGlass(const SurfaceHit& hit, Path& path) {
@@ -193,7 +286,8 @@ Light PathTracer::followed(Path path, const PixelSampler& sampler) const {
   int scatterings = path.sees == Path::Sees::dome ? 1 : 0;
   for (int surface = 0; surface < kMostSurfaces; ++surface, path.dimension += kSurfaceDimensions) {
     const auto hit = scene_.nearest(path.origin, path.direction, path.time);
-    if (!hit) return light + path.share * sky(path);
+    if (!hit) return light + mirrorShare(path) * path.share * sky(path);
+    path.density = 0.0F;
     float choice = sampler.pair(path.dimension + kChoice)[0];
     if (hit->look == nullptr) {
       // A floor fades into the backdrop.
@@ -211,12 +305,13 @@ Light PathTracer::followed(Path path, const PixelSampler& sampler) const {
       const Vec3f before = path.direction;
       const Light share = path.share;
       mirror(at, sampler.pair(path.dimension + kDirection), path);
+      path.density = 0.0F;
       path.share = share * fresnel(std::abs(at.normal.dot(before))) * at.glaze / mirrored;
       continue;
     }
     path.share *= at.colour;
     light += path.share * oneLight(at, path.time, sampler.pair(path.dimension + kLight));
-    if (++scatterings > kMostScatterings) return light + kAmbient * path.share;
+    if (++scatterings > kMostScatterings) return light + path.share * studio_.ambient;
     path.origin = at.point;
     path.direction = frameAround(at.normal) * cosineHemisphere(sampler.pair(path.dimension + kDirection));
     path.sees = Path::Sees::dome;
@@ -236,6 +331,10 @@ Exposure PathTracer::expose(const Vec3f& origin, const Vec3f& direction, float t
   const auto hit = scene_.nearest(origin, direction, time);
   if (!hit || (hit->look == nullptr && floorShare(*hit) <= 0.0F)) {
     exposure.rest = studio_.backdrop(direction);
+    return exposure;
+  }
+  if (hit->look == nullptr && studio_.style.ground.kind == modeling::GroundKind::shadow) {
+    exposure.rest = shadowed(*hit, direction, time, sampler);
     return exposure;
   }
   if (hit->look != nullptr && hit->look->glass) {
@@ -261,14 +360,19 @@ Exposure PathTracer::expose(const Vec3f& origin, const Vec3f& direction, float t
   const Vec3f bounce = frameAround(at.normal) * cosineHemisphere(sampler.pair(kBounce));
   if (at.facing.dot(bounce) > 0.0F)
     exposure.indirect = followed({at.point, bounce, time}, sampler).min(kBrightestIndirect);
-  exposure.rest = exposure.colour * (lightFrom(studio_.lights[0], at, time, sampler.pair(kKey)) +
-                                     lightFrom(studio_.lights[1], at, time, sampler.pair(kFill)));
+  exposure.rest = exposure.colour * directLight(at, time, sampler);
   if (at.glaze > 0.0F) {
     Path path{origin, direction, time};
     mirror(at, sampler.pair(kMirror), path);
     // Its own numbers, apart from the scattered path's.
     path.dimension += kMostSurfaces * kSurfaceDimensions;
     exposure.rest += at.glaze * followed(path, sampler);
+    if (studio_.environment) {
+      const auto gloss = [&](Dimension dimension) {
+        return glossFrom(*studio_.environment, at, direction, time, sampler.pair(dimension));
+      };
+      exposure.rest += 0.5F * at.glaze * (gloss(kKey) + gloss(kFill));
+    }
   }
   if (share < 1.0F) exposure.rest += (1.0F - share) * studio_.backdrop(direction);
   exposure.point = hit->point;

@@ -20,10 +20,14 @@ class PathTracer {
  private:
   struct Shading;
   struct Path;
+  struct Lamp;
 
   Shading shadingAt(const SurfaceHit& hit) const;
-  Light lightFrom(const SoftBox& box, const Shading& at, float time,
-                  const std::array<float, 2>& random) const;
+  static Lamp lampOf(const SoftBox& box, const Shading& at, const std::array<float, 2>& random);
+  static Lamp lampOf(const EnvironmentMap& environment, const Shading& at,
+                     const std::array<float, 2>& random);
+  Light arriving(const Lamp& lamp, const Shading& at, float time) const;
+  Light directLight(const Shading& at, float time, const PixelSampler& sampler) const;
   Light oneLight(const Shading& at, float time, std::array<float, 2> random) const;
   /// The light that comes along a path from where it is.
   Light followed(Path path, const PixelSampler& sampler) const;
@@ -31,6 +35,12 @@ class PathTracer {
   static bool reflectAtGlass(const SurfaceHit& hit, Path& path);
   static bool refractAtGlass(const SurfaceHit& hit, Path& path);
   void mirror(const Shading& at, const std::array<float, 2>& random, Path& path) const;
+  Light shadowed(const SurfaceHit& hit, const Vec3f& direction, float time,
+                 const PixelSampler& sampler) const;
+  static float mirrorDensity(const Shading& at, const Vec3f& direction, const Vec3f& mirrored);
+  float mirrorShare(const Path& path) const;
+  Light glossFrom(const EnvironmentMap& around, const Shading& at, const Vec3f& direction, float time,
+                  const std::array<float, 2>& random) const;
   Light sky(const Path& path) const;
   float floorShare(const SurfaceHit& hit) const;
 

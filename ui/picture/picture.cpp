@@ -34,11 +34,17 @@ std::uint16_t shown(float radiance) {
 
 std::vector<TracedScene::Plane> floorsOf(const PictureScene& scene) {
   std::vector<TracedScene::Plane> floors;
+  const modeling::GroundKind kind = scene.style.ground.kind;
+  if (kind == modeling::GroundKind::none) return floors;
   for (const sim::Collider& collider : scene.colliders) {
     if (!collider.visible || collider.shape != sim::ColliderShape::floor) continue;
     const sim::Vec3 normal = collider.rotation * sim::Vec3::UnitZ();
     const double offset = normal.dot(collider.position - scene.subject.center());
     floors.push_back({normal.cast<float>(), static_cast<float>(offset)});
+  }
+  if (floors.empty() && kind != modeling::GroundKind::studio) {
+    const double lowest = scene.subject.min().z() - scene.subject.center().z();
+    floors.push_back({Vec3f::UnitZ(), static_cast<float>(lowest)});
   }
   return floors;
 }
@@ -51,7 +57,7 @@ constexpr std::uint64_t kKeptMark = 0x5430736572757470ULL;
 class PictureRun::Renderer {
  public:
   Renderer(const TracedScene& traced, const PictureScene& scene, const PictureSettings& settings)
-      : studio_(arrangeStudio(scene.camera, scene.subject)),
+      : studio_(arrangeStudio(scene.camera, scene.subject, scene.style, scene.environment)),
         tracer_(traced, studio_),
         lens_(scene.camera, scene.subject.center(), settings.width, settings.height),
         settings_(settings),

@@ -7,18 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "modeling/material/material.h"
+#include "modeling/scene/scene.h"
 #include "sim/contact/collider.h"
 #include "sim/network/surface_mesh.h"
 #include "ui/picture/camera.h"
+#include "ui/picture/environment_map.h"
 #include "ui/picture/image.h"
 
 namespace ui {
 
 class TracedScene;
 
-/// What a still shows. Visible colliders are drawn; a visible floor is the ground of the studio, and without
-/// one the things float in front of the backdrop.
+/// What a still shows. Visible colliders are drawn; a visible floor is the ground, and without one the things
+/// float in front of the backdrop, unless the style says what they stand on.
 struct PictureScene {
   sim::SurfaceMesh surface;
   std::vector<modeling::Look> looks;  ///< by material; a material without one has Look's defaults
@@ -27,6 +28,8 @@ struct PictureScene {
   std::vector<sim::Vec3> endPoints;   ///< of the surface, cm
   std::vector<sim::Vec3> endNormals;  ///< likewise
   std::vector<sim::Collider> endColliders;
+  modeling::PictureStyle style;                       ///< its surface and image have been made already, ...
+  std::shared_ptr<const EnvironmentMap> environment;  ///< ... the latter into this; null: the studio's lamps
   Camera camera;
   Box subject;  ///< what the lights and the backdrop are arranged around, cm
 };

@@ -18,6 +18,23 @@ constexpr float kFillHalfHeight = 1.7F;
 constexpr float kFadeFrom = 2.5F;
 constexpr float kFadeTo = 14.0F;
 
+/// What comes from surfaces that are no longer followed: a share of the dome's light, or of the
+/// environment's.
+constexpr float kAmbient = 0.28F;
+constexpr float kAmbientShare = 0.7F;
+
+/// The mean over the upper hemisphere, weighted by the cosine. The dome is the same all around.
+Light domeFromAbove(const Studio& studio) {
+  constexpr int kBands = 64;
+  Light sum = Light::Zero();
+  for (int band = 0; band < kBands; ++band) {
+    // Bands of equal weight: the cosine squared is spread evenly.
+    const float height = std::sqrt((static_cast<float>(band) + 0.5F) / kBands);
+    sum += studio.dome(Vec3f(std::sqrt(1.0F - height * height), 0.0F, height)) / kBands;
+  }
+  return sum;
+}
+
 SoftBox aimedBox(const Vec3f& direction, float distance, float halfWidth, float halfHeight,
                  const Light& irradiance) {
   SoftBox box;
@@ -39,6 +56,19 @@ Light SoftBox::radianceAt(float across, float up) const {
 }
 
 Light Studio::backdrop(const Vec3f& direction) const {
+  switch (style.backdrop.kind) {
+    case modeling::BackdropKind::colour:
+      return linearFromSrgb(style.backdrop.colour);
+    case modeling::BackdropKind::gradient: {
+      const Light horizon = linearFromSrgb(style.backdrop.colour);
+      return horizon + (linearFromSrgb(style.backdrop.top) - horizon) * smoothStep(0.0F, 0.6F, direction.z());
+    }
+    case modeling::BackdropKind::environment:
+      if (environment) return environment->radiance(direction);
+      break;
+    case modeling::BackdropKind::studio:
+      break;
+  }
   const Light low(0.112F, 0.106F, 0.102F);
   const Light high(0.020F, 0.021F, 0.023F);
   return low + (high - low) * smoothStep(-0.25F, 0.5F, direction.z());
@@ -51,6 +81,7 @@ Light Studio::dome(const Vec3f& direction) const {
 }
 
 Light Studio::reflected(const Vec3f& origin, const Vec3f& direction) const {
+  if (environment) return environment->radiance(direction);
   for (const SoftBox& box : lights) {
     const float facing = -direction.dot(box.front);
     if (facing <= 0.0F) continue;
@@ -64,7 +95,8 @@ Light Studio::reflected(const Vec3f& origin, const Vec3f& direction) const {
   return dome(direction);
 }
 
-Studio arrangeStudio(const Camera& camera, const Box& subject) {
+Studio arrangeStudio(const Camera& camera, const Box& subject, const modeling::PictureStyle& style,
+                     std::shared_ptr<const EnvironmentMap> environment) {
   const float size = std::max(1e-3F, static_cast<float>(subject.diagonal().norm() / 2.0));
   Vec3f towardsCamera = (camera.position - camera.target).cast<float>();
   towardsCamera.z() = 0.0F;
@@ -79,6 +111,11 @@ Studio arrangeStudio(const Camera& camera, const Box& subject) {
                               kFillHalfWidth * size, kFillHalfHeight * size, Light(0.50F, 0.54F, 0.60F));
   studio.fadeFrom = kFadeFrom * size;
   studio.fadeTo = kFadeTo * size;
+  studio.style = style;
+  studio.middle = subject.center().cast<float>();
+  studio.domeFromAbove = domeFromAbove(studio);
+  studio.ambient = environment ? Light(kAmbientShare * environment->mean()) : Light::Constant(kAmbient);
+  studio.environment = std::move(environment);
   return studio;
 }
 

@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "modeling/scene/scene.h"
 #include "ui/picture/camera.h"
+#include "ui/picture/environment_map.h"
 #include "ui/picture/linear.h"
 
 namespace ui {
@@ -34,17 +36,23 @@ struct Studio {
   float fadeFrom = 0.0F;  ///< distance along the floor from the subject where it begins to turn to backdrop
   float fadeTo = 0.0F;
 
-  static constexpr float kFloorAlbedo[3] = {0.215F, 0.200F, 0.187F};
+  modeling::PictureStyle style;
+  std::shared_ptr<const EnvironmentMap>
+      environment;                      ///< lights in place of dome and lamps, where there is one
+  Vec3f middle = Vec3f::Zero();         ///< of the subject in the world, cm
+  Light domeFromAbove = Light::Zero();  ///< what the dome alone gives a horizontal white surface
+  Light ambient = Light::Zero();        ///< what arrives from surfaces that are no longer followed
 
   /// What the camera sees where there is nothing.
   Light backdrop(const Vec3f& direction) const;
   /// What lights from there: brighter than the backdrop, as a studio has a ceiling that no picture shows.
   Light dome(const Vec3f& direction) const;
-  /// What a mirror sees where there is nothing: the dome and the soft boxes.
+  /// What a mirror sees where there is nothing: the environment, or the dome and the soft boxes.
   Light reflected(const Vec3f& origin, const Vec3f& direction) const;
 };
 
 /// All in coordinates relative to the middle of the subject.
-Studio arrangeStudio(const Camera& camera, const Box& subject);
+Studio arrangeStudio(const Camera& camera, const Box& subject, const modeling::PictureStyle& style = {},
+                     std::shared_ptr<const EnvironmentMap> environment = nullptr);
 
 }  // namespace ui

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "modeling/exchange/take_scene.h"
+#include "sim/network/level_surface.h"
 
 namespace ui {
 
@@ -13,6 +14,9 @@ namespace {
 
 /// So many frames of a sequence are looked at to find a camera for all.
 constexpr std::size_t kFramesLookedAt = 12;
+
+/// So fine that no face of the level surface shows in a picture; 50 MB while it is made.
+constexpr sim::LevelGrid kLevelGrid{.mostCubes = 4'000'000, .cubesInReach = 7.0};
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
@@ -74,8 +78,8 @@ Box boxOfMost(const sim::Snapshot& moment) {
   return box.isEmpty() ? Box(sim::Vec3::Constant(-1.0), sim::Vec3::Constant(1.0)) : box;
 }
 
-sim::Result<PictureFrames> framesOf(const sim::TakeReader& take) {
-  auto scene = modeling::sceneOf(take);
+sim::Result<PictureFrames> framesOf(const sim::TakeReader& take, const std::vector<std::string>& settings) {
+  auto scene = modeling::sceneOf(take, settings);
   if (!scene) return scene.problem();
   PictureFrames frames;
   // The take keeps it.
@@ -93,7 +97,10 @@ sim::Result<TakePictures> TakePictures::create(PictureFrames frames, std::size_t
                                                double aspect, const PictureChoices& choices) {
   const auto box = boxOfFrames(frames, first, last);
   if (!box) return box.problem();
+  auto environment = EnvironmentMap::load(frames.scene.view.picture.environment, frames.folder);
+  if (!environment) return environment.problem();
   TakePictures pictures(std::move(frames), choices);
+  pictures.environment_ = std::move(*environment);
   pictures.subject_ = *box;
   if (const auto& camera = pictures.frames_.scene.view.camera) {
     pictures.camera_ = {camera->position, camera->target, camera->fieldOfView * kRadiansPerDegree,
@@ -110,8 +117,12 @@ sim::Result<PictureScene> TakePictures::sceneOf(std::size_t frame) {
   if (!found) return found.problem();
   const sim::Snapshot& moment = **found;
   PictureScene picture;
-  const sim::SurfaceTopology topology = surfaceBuilder_.topology(moment);
-  picture.surface = sim::placeSurface(topology, moment.positions);
+  picture.style = frames_.scene.view.picture;
+  picture.environment = environment_;
+  const bool level = picture.style.surface == modeling::PictureSurface::level;
+  const sim::SurfaceTopology topology = level ? sim::SurfaceTopology{} : surfaceBuilder_.topology(moment);
+  picture.surface = level ? sim::levelSurfaceOf(*frames_.network, moment, kLevelGrid)
+                          : sim::placeSurface(topology, moment.positions);
   picture.looks = modeling::looksOf(frames_.scene, *frames_.network);
   picture.colliders = modeling::collidersAt(frames_.scene, moment.time);
   picture.camera = camera_;
@@ -122,8 +133,15 @@ sim::Result<PictureScene> TakePictures::sceneOf(std::size_t frame) {
     std::vector<sim::Vec3> positions = moment.positions;
     for (std::size_t node = 0; node < positions.size(); ++node)
       positions[node] += open * moment.velocities[node];
-    picture.endPoints = sim::placePoints(topology, positions);
-    picture.endNormals = sim::placeNormals(topology, picture.endPoints);
+    if (level) {
+      picture.endPoints = picture.surface.points;
+      for (std::size_t point = 0; point < picture.endPoints.size(); ++point)
+        picture.endPoints[point] += open * moment.velocities[picture.surface.nodeOfPoint[point]];
+      picture.endNormals = picture.surface.normals;
+    } else {
+      picture.endPoints = sim::placePoints(topology, positions);
+      picture.endNormals = sim::placeNormals(topology, picture.endPoints);
+    }
     picture.endColliders = modeling::collidersAt(frames_.scene, moment.time + open);
     if (picture.endColliders.size() != picture.colliders.size()) picture.endColliders = picture.colliders;
   }

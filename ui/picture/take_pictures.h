@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,11 +18,14 @@ struct PictureFrames {
   std::shared_ptr<const sim::Network> network;
   modeling::Scene scene;
   double framesPerSecond = 24.0;
+  std::filesystem::path folder;  ///< where the image of the environment is looked for
   std::function<sim::Result<sim::SnapshotPointer>(std::size_t)> frame;
 };
 
 /// Those of a take, which must be there as long as they are. A Problem when its scene cannot be read.
-sim::Result<PictureFrames> framesOf(const sim::TakeReader& take);
+/// `settings` are laid over the scene.
+sim::Result<PictureFrames> framesOf(const sim::TakeReader& take,
+                                    const std::vector<std::string>& settings = {});
 
 /// What a take leaves open.
 struct PictureChoices {
@@ -35,7 +39,7 @@ struct PictureChoices {
 class TakePictures {
  public:
   /// Pictures of frames [first, last], which all have one camera: the scene's view, or one that sees all of
-  /// them. A Problem when a frame cannot be read.
+  /// them. A Problem when a frame or the image of the environment cannot be read.
   static sim::Result<TakePictures> create(PictureFrames frames, std::size_t first, std::size_t last,
                                           double aspect, const PictureChoices& choices = {});
 
@@ -47,6 +51,7 @@ class TakePictures {
   PictureFrames frames_;
   PictureChoices choices_;
   sim::SurfaceBuilder surfaceBuilder_;
+  std::shared_ptr<const EnvironmentMap> environment_;
   Camera camera_;
   Box subject_;
 };

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "modeling/exchange/take_scene.h"
+#include "sim/network/level_surface.h"
 #include "ui/viewport/draw_colours.h"
-#include "ui/viewport/level_surface.h"
 #include "ui/viewport/topology.h"
 
 namespace ui {
@@ -14,9 +14,6 @@ namespace {
 
 /// A million cubes take a few tenths of a second and show the bumps of some ten thousand nodes.
 constexpr std::size_t kMostCubes = 1'000'000;
-/// Reach of a node's potential relative to the distance of its nearest neighbour: enough to close the
-/// surface over the middle of a cell, where eight nodes are 0.87 edges away.
-constexpr double kPotentialReach = 1.5;
 
 bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -98,6 +95,20 @@ Eigen::AlignedBox3d boxOf(const std::vector<std::array<float, 4>>& positions) {
   return box.cast<double>();
 }
 
+LevelDraw drawn(const sim::LevelSurface& surface, const std::vector<std::uint32_t>& colours) {
+  LevelDraw draw;
+  draw.vertices.reserve(surface.points.size());
+  for (std::size_t p = 0; p < surface.points.size(); ++p) {
+    const Eigen::Vector3f at = surface.points[p].cast<float>();
+    draw.vertices.push_back(
+        {{at.x(), at.y(), at.z()}, packNormal(surface.normals[p]), colours[surface.sources[p]]});
+  }
+  for (const auto& quad : surface.quads) {
+    for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) draw.indices.push_back(quad[corner]);
+  }
+  return draw;
+}
+
 }  // namespace
 
 bool DrawMaker::isNewTopology(const DrawData& data, const std::vector<std::uint8_t>& hidden) const {
@@ -150,17 +161,18 @@ void DrawMaker::addLevel(DrawData& data, const std::function<bool()>& cancelled)
   const Palette palette(*data.shown.network, *data.shown.moment,
                         data.shown.scene ? *data.shown.scene : kNoScene, data.settings);
   const sim::Network& network = *data.shown.network;
-  std::vector<FieldNode> nodes;
+  std::vector<sim::FieldSource> sources;
+  std::vector<std::uint32_t> colours;
   for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
     if (hidden_[network.nodeParts[node]] != 0) continue;
     const auto& at = data.motion->positions[node];
     const sim::Vec3 position = Eigen::Map<const Eigen::Vector3f>(at.data()).cast<double>();
-    if (position.allFinite())
-      nodes.push_back(
-          {position, kPotentialReach * static_cast<double>(network.radii[node]), palette.ofNode(node)});
+    if (!position.allFinite()) continue;
+    sources.push_back({position, sim::potentialReach(network, node)});
+    colours.push_back(palette.ofNode(node));
   }
-  LevelDraw level = levelSurface(nodes, kMostCubes, cancelled);
-  if (!cancelled()) data.level = std::make_shared<const LevelDraw>(std::move(level));
+  const sim::LevelSurface surface = sim::levelSurface(sources, {.mostCubes = kMostCubes}, cancelled);
+  if (!cancelled()) data.level = std::make_shared<const LevelDraw>(drawn(surface, colours));
 }
 
 DrawData DrawMaker::make(const Shown& shown, const ViewSettings& settings,
