@@ -36,10 +36,10 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
   auto status = format.write(take, {.path = options.out,
                                     .firstFrame = range.first,
                                     .lastFrame = range.last,
-                                    .levelSurface = options.levelSurface,
                                     .progress = show,
                                     .remark = remark,
-                                    .looseNodes = options.looseNodes});
+                                    .looseNodes = options.looseNodes,
+                                    .levelSurface = options.levelSurface});
   if (status) std::cout << remarks;
   return status;
 }

@@ -15,13 +15,13 @@ struct ExportRequest {
   std::filesystem::path path;
   std::size_t firstFrame = 0;
   std::size_t lastFrame = 0;  ///< inclusive, below the take's frame count
-  bool levelSurface = false;  ///< in place of the cells' surface, for formats that can have it
   /// Told the share that is done; answers false to cancel. Files that are whole by then stay.
   std::function<bool(double)> progress;
   /// Told, in a sentence, what a person should know of what was written.
   std::function<void(const std::string&)> remark = {};
   /// Of formats that hold a surface.
   sim::LooseNodes looseNodes = sim::LooseNodes::shards;
+  bool levelSurface = false;  ///< in place of the cells' surface, for formats that can have it
 };
 
 /// A file format that takes can be written in. Every file appears whole or not at all.

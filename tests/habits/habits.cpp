@@ -31,15 +31,15 @@ struct Library {
   std::string_view firstRoom;
 };
 constexpr std::array<Library, 10> kLibraries = {{{"Qt", "Qt", "ui"},
-                                                {"GL/", "OpenGL", "ui"},
-                                                {"embree", "Embree", "ui"},
-                                                {"png.h", "libpng", "ui"},
-                                                {"Imf", "OpenEXR", "ui"},
-                                                {"stb/", "stb_image", "ui"},
-                                                {"nlohmann/", "nlohmann-json", "modeling"},
-                                                {"assimp/", "assimp", "modeling"},
-                                                {"CLI/", "CLI11", "app"},
-                                                {"catch2/", "Catch2", "tests"}}};
+                                                 {"GL/", "OpenGL", "ui"},
+                                                 {"embree", "Embree", "ui"},
+                                                 {"png.h", "libpng", "ui"},
+                                                 {"Imf", "OpenEXR", "ui"},
+                                                 {"stb/", "stb_image", "ui"},
+                                                 {"nlohmann/", "nlohmann-json", "modeling"},
+                                                 {"assimp/", "assimp", "modeling"},
+                                                 {"CLI/", "CLI11", "app"},
+                                                 {"catch2/", "Catch2", "tests"}}};
 
 using Offences = std::vector<Offence>;
 

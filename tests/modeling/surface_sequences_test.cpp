@@ -36,7 +36,7 @@ TEST_CASE("another program reads the surface of every frame from PLY files and O
   const std::string ending = GENERATE(".ply", ".obj");
   const auto path = scratch.file("pieces" + ending);
   const bool level = GENERATE(false, true);
-  const modeling::ExportRequest request{.path = path, .lastFrame = 3, .levelSurface = level, .progress = {}};
+  const modeling::ExportRequest request{.path = path, .lastFrame = 3, .progress = {}, .levelSurface = level};
   REQUIRE((ending == ".ply" ? modeling::writePly : modeling::writeObj)(take, request).ok());
   for (std::size_t frame = 0; frame < 4; ++frame) {
     Assimp::Importer importer;

@@ -57,7 +57,8 @@ TEST_CASE("a picture of a frame has the surface, the looks, and colliders where 
 TEST_CASE(
     "a picture can have the level surface of the nodes, and asks for an image only where one is named") {
   const MemoryTake take = slidingBlock(R"(, "view": {"picture": {"surface": "level"}})");
-  auto pictures = ui::TakePictures::create(ui::framesOf(take).value(), 0, 2, 1.5, {.shutter = 0.5});
+  auto pictures =
+      ui::TakePictures::create(ui::framesOf(take).value(), 0, 2, 1.5, {.shutter = 0.5, .aperture = {}});
   REQUIRE(pictures.ok());
   const auto scene = pictures->sceneOf(1);
   REQUIRE(scene.ok());
