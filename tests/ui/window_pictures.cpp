@@ -15,6 +15,7 @@
 #include "ui/document/new_scene.h"
 #include "ui/editors/editor_actions.h"
 #include "ui/editors/glue_editing.h"
+#include "ui/editors/glue_pairs.h"
 #include "ui/editors/profile_canvas.h"
 #include "ui/editors/render_dialog.h"
 #include "ui/editors/threshold_dialog.h"
@@ -172,6 +173,14 @@ void takeEditors(WindowStudio& studio) {
   studio.waitUntil("the pairs", [&] { return gluing.outcome() && !gluing.isBusy(); });
   studio.take("glue");
   gluing.end();
+  ui::ViewSettings view = studio.window().viewport().viewSettings();
+  view.gluePairs = view.xray = true;
+  studio.window().viewport().setViewSettings(view);
+  const auto& pairs = *studio.window().viewport().findChild<ui::GluePairs*>();
+  studio.waitUntil("the pairs", [&] { return !pairs.links().empty(); });
+  studio.take("view-glue-pairs", &studio.window().viewport());
+  view.gluePairs = view.xray = false;
+  studio.window().viewport().setViewSettings(view);
   studio.load(withThings({{ui::NewThing::Kind::patch, {}}}));
   studio.session().selection().select({ItemKind::part, 0});
   studio.trigger("Edit Points");
@@ -262,7 +271,6 @@ void takeViews(WindowStudio& studio) {
          view.levelSurface = true;
        }},
       {"tetrahedra", [](ViewSettings& view) { view.isolated = ui::IsolatedNodes::tetrahedra; }},
-      {"glue-pairs", [](ViewSettings& view) { view.gluePairs = view.xray = true; }},
       {"statistics", [](ViewSettings& view) { view.statistics = true; }}};
   for (const auto& [name, choose] : views) {
     ViewSettings settings = usual;

@@ -15,6 +15,7 @@
 #include "tests/ui/window_scenes.h"
 #include "ui/document/new_parts.h"
 #include "ui/document/new_scene.h"
+#include "ui/editors/glue_pairs.h"
 #include "ui/files/autosave.h"
 #include "ui/files/recent_files.h"
 #include "ui/viewport/viewport.h"
@@ -175,6 +176,30 @@ TEST_CASE("A mesh that is dropped on the window becomes a part or an obstacle, a
   desk.session.document().undoStack().undo();
   desk.session.document().undoStack().undo();
   CHECK(desk.scene() == before);
+}
+
+TEST_CASE("The view of glue shows the pairs of all gluings while the scene is at rest") {
+  Desk desk;
+  Scene scene = ui::newScene();
+  const ui::Item cup = ui::addThing(scene, {ui::NewThing::Kind::profile, ui::ProfilePreset::cup}, {});
+  ui::addThing(scene, {ui::NewThing::Kind::handle, {}}, {cup});
+  ui::addThing(scene, {ui::NewThing::Kind::spout, {}}, {cup});
+  scene.output = {100.0, 0.01};
+  desk.load(scene);
+  auto& pairs = *desk.viewport().findChild<ui::GluePairs*>();
+  CHECK(pairs.links().empty());
+  ui::ViewSettings settings = desk.viewport().viewSettings();
+  settings.gluePairs = true;
+  desk.viewport().setViewSettings(settings);
+  const auto glued = desk.session.preview()->built->glue;
+  REQUIRE(glued.size() == 2);
+  const std::size_t wanted = glued[0].nodesMerged + glued[1].nodesMerged;
+  REQUIRE(becomesTrue([&] { return pairs.links().size() == wanted; }));
+  desk.session.document().edit("Unglue", [](Scene& edited) { edited.glue.pop_back(); });
+  REQUIRE(becomesTrue([&] { return pairs.links().size() == glued[0].nodesMerged; }));
+  desk.session.simulate();
+  REQUIRE(becomesTrue([&] { return pairs.links().empty(); }));
+  desk.finish();
 }
 
 TEST_CASE("A scene that was left has a picture among the recent ones") {

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QTimer>
 
+#include "ui/editors/glue_pairs.h"
 #include "ui/editors/glue_panel.h"
 #include "ui/editors/glue_tool.h"
 #include "ui/editors/points_tool.h"
@@ -17,6 +18,7 @@ namespace ui {
 EditorActions::EditorActions(Session& session, Viewport& viewport, QObject* parent)
     : QObject(parent), session_(session), viewport_(viewport), gluing_(new GlueEditing(session, this)) {
   new GluePanel(*gluing_, &viewport_);
+  new GluePairs(session_, viewport_);
   editPoints_ = makeAction(QStringLiteral("edit-points"), tr("Edit Points"),
                            tr("Edit the points of the selected part: profile, net or curve (Tab)"),
                            QKeySequence(Qt::Key_Tab));

@@ -42,6 +42,9 @@ FileActions::FileActions(Session& session, RecentFiles& recent, QWidget* window)
   const auto action = [&](const QString& icon, const QString& name, const QKeySequence& key, auto slot) {
     auto* made = new QAction(Theme::icon(icon), name, this);
     made->setShortcut(key);
+    if (!key.isEmpty())
+      made->setToolTip(QStringLiteral("%1 (%2)").arg(QString(name).remove(u'&').remove(u'…'),
+                                                     key.toString(QKeySequence::NativeText)));
     connect(made, &QAction::triggered, this, slot);
     return made;
   };

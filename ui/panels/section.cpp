@@ -26,7 +26,9 @@ Section::Section(const QString& title, QWidget* parent)
   QFont font = head_->font();
   font.setWeight(QFont::DemiBold);
   head_->setFont(font);
-  head_->setStyleSheet(QStringLiteral("QToolButton { background: transparent; border: 0; padding: 4px 0; }"));
+  head_->setStyleSheet(
+      QStringLiteral("QToolButton { background: transparent; border: 1px solid transparent; padding: 3px 0; }"
+                     "QToolButton:focus { border-color: palette(highlight); }"));
   body_ = new QWidget(this);
   rows_ = new QVBoxLayout(body_);
   rows_->setContentsMargins(0, 0, 0, 6);

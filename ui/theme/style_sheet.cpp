@@ -45,7 +45,8 @@ QComboBox:focus { border-color: @accent; }
 QComboBox::drop-down { border: 0; width: 20px; }
 QComboBox::down-arrow { image: url(:/icons/arrow-of-choice.svg); width: 10px; height: 10px; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QAbstractSpinBox:focus { border-color: @accent; }
-QAbstractItemView { background: @panel; border: 0; outline: 0; alternate-background-color: @panel; }
+QAbstractItemView { background: @panel; border: 1px solid transparent; outline: 0; alternate-background-color: @panel; }
+QAbstractItemView:focus { border-color: @accent; }
 QAbstractItemView::item { padding: 3px 4px; }
 QAbstractItemView::item:selected { background: @accent; color: @accentText; }
 QHeaderView::section { background: @window; border: 0; border-bottom: 1px solid @line; padding: 4px 6px; }
@@ -55,6 +56,7 @@ QTabBar::tab { background: transparent; color: @dimText; padding: 6px 12px; bord
   border-bottom: 2px solid transparent; }
 QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
 QTabBar::tab:hover { color: @text; }
+QTabBar::tab:selected:focus { background: @raised; }
 QGroupBox { border: 0; border-top: 1px solid @line; margin-top: 16px; padding-top: 6px; font-weight: 600; }
 QGroupBox::title { subcontrol-origin: margin; left: 0; padding: 0 6px 0 0; }
 QScrollArea { border: 0; background: @panel; }

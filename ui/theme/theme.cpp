@@ -105,7 +105,8 @@ class Style : public QProxyStyle {
     const QRectF box = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(option->state.testFlag(State_HasFocus)    ? colours.accent
+    // On the accent's own colour the accent is not seen.
+    painter->setPen(option->state.testFlag(State_HasFocus)    ? (on ? colours.text : colours.accent)
                     : option->state.testFlag(State_MouseOver) ? colours.dimText
                                                               : colours.line);
     painter->setBrush(!on ? colours.field : enabled ? colours.accent : colours.line);

@@ -2,7 +2,9 @@
 
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "ui/session/session.h"
 #include "ui/viewport/axis_gizmo.h"
@@ -62,6 +64,8 @@ class Viewport : public QOpenGLWidget {
   /// Null: select.
   void setTool(std::unique_ptr<Tool> tool);
   Tool* tool() const { return tool_.get(); }
+  /// Draws over the picture, below what the tool draws, for as long as there is a viewport.
+  void addOverlay(std::function<void(Overlay&)> paint) { overlays_.push_back(std::move(paint)); }
 
   /// What is shown by the session and chosen to view is what is drawn.
   bool isUpToDate() const;
@@ -129,6 +133,7 @@ class Viewport : public QOpenGLWidget {
   CameraFlight* flight_ = nullptr;
   QLabel* missing_ = nullptr;  ///< says why there is no picture
   std::unique_ptr<Tool> tool_;
+  std::vector<std::function<void(Overlay&)>> overlays_;
   bool toolPressed_ = false;
   std::unique_ptr<ViewportRenderer> renderer_;
   std::unique_ptr<BreakHistory> breaks_;

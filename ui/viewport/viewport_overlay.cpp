@@ -109,6 +109,7 @@ void Viewport::paintOver() {
   painter.setRenderHint(QPainter::Antialiasing);
   PaintedOverlay overlay(painter, camera_, viewSize());
   paintInvisible(overlay);
+  for (const auto& paint : overlays_) paint(overlay);
   if (tool_) tool_->draw(*this, overlay);
   axisGizmo_.paint(painter, camera_, viewSize(), pointer_);
   paintLegend(painter);
