@@ -182,6 +182,11 @@ double TriangleMesh::squaredDistance(const Branch& branch, const Vec3& point) co
 
 void TriangleMesh::look(std::uint32_t triangle, const Vec3& point, Candidate& best) const {
   const Triangle& corners = triangles_[triangle];
+  // No point of it is nearer than its plane, which puts most out of the question. 1e-9 cm are more than
+  // rounding.
+  constexpr double kRounding = 1e-9;
+  const double height = std::abs(faceNormals_[triangle].dot(point - points_[corners[0]])) - kRounding;
+  if (height > 0.0 && height * height > best.squared) return;
   const OnTriangle on = onTriangle({points_[corners[0]], points_[corners[1]], points_[corners[2]]},
                                    faceNormals_[triangle], point);
   const double squared = (on.point - point).squaredNorm();
