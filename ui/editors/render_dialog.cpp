@@ -180,8 +180,6 @@ QWidget* RenderDialog::makeChoices() {
   looseNodes_ = combo(QStringLiteral("render-loose"),
                       {tr("Shards"), tr("Tetrahedra"), tr("Balls"), tr("Given to neighbours")});
   looseNodes_->setToolTip(tr("How nodes are drawn that nothing holds any more"));
-  sixteenBit_ = new QCheckBox(tr("16 bit a channel"), box);
-  sixteenBit_->setToolTip(tr("Of PNG files: for those who go on working with the picture"));
   form->addRow(tr("Picture of"), what_);
   form->addRow(tr("Camera"), camera_);
   form->addRow(tr("Width"), width_);
@@ -191,6 +189,8 @@ QWidget* RenderDialog::makeChoices() {
   form->addRow(tr("Shutter"), shutter_);
   form->addRow(tr("Loose nodes"), looseNodes_);
   addStyle(*form);
+  sixteenBit_ = new QCheckBox(tr("16 bit a channel"), box);
+  sixteenBit_->setToolTip(tr("Of PNG files: for those who go on working with the picture"));
   form->addRow(QString(), sixteenBit_);
   box->setFixedWidth(290);
   return box;

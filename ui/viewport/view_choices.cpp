@@ -43,7 +43,8 @@ ViewChoices::ViewChoices(Viewport& viewport) : QFrame(&viewport, Qt::Popup), vie
            &ViewSettings::bonds);
   addCheck(tr("Broken bonds too"), tr("Where bonds are shown: also those that broke"),
            &ViewSettings::brokenBonds);
-  addCheck(tr("Glue"), tr("The pairs of nodes that are glued, at rest, and the bonds that join two parts"), &ViewSettings::gluePairs);
+  addCheck(tr("Glue"), tr("The pairs of nodes that are glued, at rest, and the bonds that join two parts"),
+           &ViewSettings::gluePairs);
   addIsolated();
   addExplode();
   addHeading(tr("Surroundings"));
