@@ -151,15 +151,19 @@ MaybeProblem firstProblem(const Scene& scene) {
     if (auto problem = checkTarget(place + ".target", track.target, materials, colliders)) return problem;
     if (auto problem = checkKeys(place + ".keys", track)) return problem;
   }
-  const PictureStyle& picture = scene.view.picture;
-  if (picture.backdrop.kind == BackdropKind::environment && picture.environment.image.empty()) {
-    return Problem{"view.picture.backdrop.kind", "there is no image of the environment to be seen",
-                   "name one in view.picture.environment.image"};
-  }
+  if (auto status = checkPictureStyle(scene.view.picture); !status) return status.problem();
   return std::nullopt;
 }
 
 }  // namespace
+
+sim::Status checkPictureStyle(const PictureStyle& style) {
+  if (style.backdrop.kind == BackdropKind::environment && style.environment.image.empty()) {
+    return Problem{"view.picture.backdrop.kind", "there is no image of the environment to be seen",
+                   "name one in view.picture.environment.image"};
+  }
+  return sim::Done{};
+}
 
 sim::Status checkScene(const Scene& scene) {
   if (auto problem = firstProblem(scene)) return *problem;

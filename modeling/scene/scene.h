@@ -344,5 +344,7 @@ struct Scene {
 /// keys of a track out of order... The Problem's place is a path, such as "parts[2].material". Looks at no
 /// file.
 sim::Status checkScene(const Scene& scene);
+/// The same of the style alone.
+sim::Status checkPictureStyle(const PictureStyle& style);
 
 }  // namespace modeling

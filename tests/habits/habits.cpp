@@ -30,7 +30,7 @@ struct Library {
   std::string_view name;
   std::string_view firstRoom;
 };
-constexpr std::array<Library, 10> kLibraries = {{{"Qt", "Qt", "ui"},
+constexpr std::array<Library, 11> kLibraries = {{{"Qt", "Qt", "ui"},
                                                  {"GL/", "OpenGL", "ui"},
                                                  {"embree", "Embree", "ui"},
                                                  {"png.h", "libpng", "ui"},
@@ -39,6 +39,7 @@ constexpr std::array<Library, 10> kLibraries = {{{"Qt", "Qt", "ui"},
                                                  {"nlohmann/", "nlohmann-json", "modeling"},
                                                  {"assimp/", "assimp", "modeling"},
                                                  {"CLI/", "CLI11", "app"},
+                                                 {"benchmark/", "Google Benchmark", "tests"},
                                                  {"catch2/", "Catch2", "tests"}}};
 
 using Offences = std::vector<Offence>;

@@ -126,7 +126,7 @@ TEST_CASE("what breaks on LAMMPS comes back broken, in fragments that keep their
 }
 
 /// A test of its own for ctest, readers-large: it takes a minute.
-TEST_CASE("a hundred thousand nodes go to four ranks and come back as we have them", "[.][large]") {
+TEST_CASE("a hundred thousand nodes go to four ranks and come back as we have them", "[large]") {
   if (!haveLammps()) return;
   const BothRuns runs({.size = "[13, 13, 4.6]",
                        .cellSize = 0.2,

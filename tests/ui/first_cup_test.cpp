@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/scene/scene_file.h"
+#include "tests/ui/whole_window.h"
 #include "tests/ui/window_scenes.h"
 #include "ui/files/autosave.h"
 #include "ui/panels/add_actions.h"
@@ -20,22 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using modeling::Scene;
 
-struct Desk {
-  QTemporaryDir place;
-  fs::path root = place.path().toStdString();
-  fs::path folder = ui::Autosave::newFolder(root / "sessions");
-  ui::Session session{folder};
-  ui::MainWindow window{session};
-
-  Desk() {
-    window.resize(1280, 800);
-    window.show();
-    REQUIRE(QTest::qWaitForWindowExposed(&window));
-    window.activateWindow();
-    REQUIRE(QTest::qWaitForWindowActive(&window));
-  }
-
-  const Scene& scene() { return session.document().scene(); }
+struct Desk : tests::WholeWindow {
   QUndoStack& history() { return session.document().undoStack(); }
   void click(const char* button) {
     auto* found = window.findChild<QAbstractButton*>(QString::fromLatin1(button));
@@ -43,7 +29,7 @@ struct Desk {
     QTest::mouseClick(found, Qt::LeftButton);
   }
   void raise(const char* dock) {
-    window.findChild<QDockWidget*>(QString::fromLatin1(dock))->raise();
+    WholeWindow::raise(dock);
     QTest::qWait(50);
   }
   bool isDone() { return session.run()->phase == ui::RunPhase::done; }

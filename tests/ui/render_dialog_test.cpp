@@ -1,5 +1,6 @@
 #include "ui/editors/render_dialog.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QTest>
 #include <filesystem>
@@ -46,6 +47,35 @@ TEST_CASE("The render dialog shows a preview, and writes a picture of the size t
   CHECK(fixture.dialog->view().share == 1.0);
   const QImage written(QString::fromStdString(path.string()));
   CHECK(written.size() == QSize(64, 40));
+}
+
+TEST_CASE("What stands in place of the scene's ground and backdrop is seen in the preview") {
+  Fixture fixture;
+  const auto drawn = [&] { return fixture.dialog->view().ended && fixture.dialog->view().image; };
+  // A choice takes a moment to settle, in which the preview before it is still there.
+  const auto after = [&](const char* name, int choice) {
+    const auto before = fixture.dialog->view().image;
+    fixture.dialog->findChild<QComboBox*>(QString::fromLatin1(name))->setCurrentIndex(choice);
+    REQUIRE(tests::becomesTrue([&] { return fixture.dialog->view().image != before && drawn(); }));
+    return fixture.dialog->view().image->samples;
+  };
+  REQUIRE(tests::becomesTrue(drawn));
+  const auto plain = fixture.dialog->view().image->samples;
+  const auto checkered = after("render-ground", 1 + static_cast<int>(modeling::GroundKind::checker));
+  CHECK(checkered != plain);
+  const auto gradient = after("render-backdrop", 1 + static_cast<int>(modeling::BackdropKind::gradient));
+  CHECK(gradient != checkered);
+  CHECK(after("render-surface", 1 + static_cast<int>(modeling::PictureSurface::level)) != gradient);
+  after("render-surface", 0);
+  after("render-backdrop", 0);
+  CHECK(after("render-ground", 0) == plain);
+}
+
+TEST_CASE("A backdrop of an image that nobody named is told of") {
+  Fixture fixture;
+  auto* backdrop = fixture.dialog->findChild<QComboBox*>(QStringLiteral("render-backdrop"));
+  backdrop->setCurrentIndex(1 + static_cast<int>(modeling::BackdropKind::environment));
+  CHECK(tests::becomesTrue([&] { return fixture.dialog->view().problem.has_value(); }));
 }
 
 TEST_CASE("A picture that is stopped leaves no file, and the dialog is ready for the next") {

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/scene/scene_file.h"
+#include "tests/ui/whole_window.h"
 #include "tests/ui/window_scenes.h"
 #include "ui/document/new_parts.h"
 #include "ui/document/new_scene.h"
@@ -28,22 +29,7 @@ namespace fs = std::filesystem;
 using modeling::Scene;
 using tests::becomesTrue;
 
-struct Desk {
-  QTemporaryDir place;
-  fs::path root = place.path().toStdString();
-  ui::Session session{ui::Autosave::newFolder(root / "sessions")};
-  ui::MainWindow window{session};
-
-  Desk() {
-    window.resize(1280, 800);
-    window.show();
-    REQUIRE(QTest::qWaitForWindowExposed(&window));
-    window.activateWindow();
-    REQUIRE(QTest::qWaitForWindowActive(&window));
-  }
-
-  ui::Viewport& viewport() { return window.viewport(); }
-  const Scene& scene() { return session.document().scene(); }
+struct Desk : tests::WholeWindow {
   void load(const Scene& loaded) {
     session.document().reset(loaded, {});
     window.showViewport();
@@ -56,11 +42,6 @@ struct Desk {
       if (found->text().remove(u'&').remove(QStringLiteral("…")) == QLatin1String(text)) return *found;
     FAIL("there is no action " << text);
     return *window.findChild<QAction*>();
-  }
-  void raise(const char* dock) {
-    auto* found = window.findChild<QDockWidget*>(QString::fromLatin1(dock));
-    found->show();
-    found->raise();
   }
   void finish() {
     REQUIRE(becomesTrue([&] { return session.run()->phase == ui::RunPhase::done; }));

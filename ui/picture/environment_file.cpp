@@ -124,13 +124,16 @@ sim::Result<EnvironmentImage> readPng(std::FILE* file) {
   png.image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_stdio(&png.image, file) == 0) return damaged("PNG");
   if (auto problem = wrongSize(png.image.width, png.image.height)) return *problem;
-  png.image.format = PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_LINEAR;
-  std::vector<png_uint_16> numbers(PNG_IMAGE_SIZE(png.image) / sizeof(png_uint_16));
+  // As sRGB, whose curve is undone below: libpng takes a power of 2.2 for it. Files of 16 bits that do not
+  // say what they are would be taken for linear.
+  png.image.format = PNG_FORMAT_RGB;
+  png.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+  std::vector<png_byte> numbers(PNG_IMAGE_SIZE(png.image));
   EnvironmentImage image = blank(png.image.width, png.image.height);
   if (png_image_finish_read(&png.image, nullptr, numbers.data(), 0, nullptr) == 0) return damaged("PNG");
   auto number = numbers.begin();
   for (Light& pixel : image.pixels) {
-    for (int channel = 0; channel < 3; ++channel) pixel[channel] = static_cast<float>(*number++) / 65535.0F;
+    for (int channel = 0; channel < 3; ++channel) pixel[channel] = linearFromSrgb(*number++ / 255.0);
   }
   return image;
 }

@@ -97,6 +97,7 @@ sim::Result<TakePictures> TakePictures::create(PictureFrames frames, std::size_t
                                                double aspect, const PictureChoices& choices) {
   const auto box = boxOfFrames(frames, first, last);
   if (!box) return box.problem();
+  if (auto status = modeling::checkPictureStyle(frames.scene.view.picture); !status) return status.problem();
   auto environment = EnvironmentMap::load(frames.scene.view.picture.environment, frames.folder);
   if (!environment) return environment.problem();
   TakePictures pictures(std::move(frames), choices);
