@@ -68,6 +68,7 @@ Json glueJson(const std::vector<modeling::GlueReport>& reports) {
                     {"bonds_zeroed", glue.bondsZeroed},
                     {"bonds_duplicate", glue.bondsDuplicate},
                     {"cells_dropped", glue.cellsDropped},
+                    {"wedges", glue.wedges},
                     {"worst_distance_cm", glue.worstDistance},
                     {"worst_scaled_jacobian", glue.worstScaledJacobian}});
   }

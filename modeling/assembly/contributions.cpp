@@ -19,13 +19,13 @@ std::string partPlace(std::size_t index) {
   return "parts[" + std::to_string(index) + "]";
 }
 
-/// The part's nodes as merged, and behind them, where cells were dropped, as they were before.
+/// The part's nodes as merged, and behind them, where cells are fitted as they were before, as those were.
 std::vector<Vec3> fittingPositions(const AssemblyPart& part, const std::vector<Vec3>& mergedPositions,
-                                   const std::vector<NodeIndex>& globalNode, bool anyDropped) {
+                                   const std::vector<NodeIndex>& globalNode, bool anyAsBefore) {
   std::vector<Vec3> positions;
-  positions.reserve(part.lattice.nodes.size() * (anyDropped ? 2 : 1));
+  positions.reserve(part.lattice.nodes.size() * (anyAsBefore ? 2 : 1));
   for (const NodeIndex node : globalNode) positions.push_back(mergedPositions[node]);
-  if (anyDropped) positions.insert(positions.end(), part.lattice.nodes.begin(), part.lattice.nodes.end());
+  if (anyAsBefore) positions.insert(positions.end(), part.lattice.nodes.begin(), part.lattice.nodes.end());
   return positions;
 }
 
@@ -56,14 +56,18 @@ sim::Result<FittedPart> fitPart(const AssemblyPart& part, const Material& materi
   if (auto status = checkLooseBonds(part, index); !status) return status.problem();
   FittedPart fitted;
   fitted.dropped.assign(part.lattice.cells.size(), 0);
-  const auto& droppedCells = glue.droppedCells[index];
-  for (const sim::CellIndex cell : droppedCells) fitted.dropped[cell] = 1;
+  for (const sim::CellIndex cell : glue.droppedCells[index]) fitted.dropped[cell] = 1;
+  fitted.merged = fitted.dropped;
+  for (const sim::CellIndex cell : glue.wedges[index]) fitted.merged[cell] = 1;
 
+  const bool anyMerged = !glue.droppedCells[index].empty() || !glue.wedges[index].empty();
   const std::vector<Vec3> positions =
-      fittingPositions(part, mergedPositions, glue.globalNode[index], !droppedCells.empty());
+      fittingPositions(part, mergedPositions, glue.globalNode[index], anyMerged);
   std::vector<sim::CellCorners> cells = part.lattice.cells;
-  for (const sim::CellIndex cell : droppedCells)
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    if (!fitted.merged[cell]) continue;
     for (NodeIndex& node : cells[cell]) node += static_cast<NodeIndex>(part.lattice.nodes.size());
+  }
   fitted.fit = fitBonds(positions, cells, material.pattern);
   double volume = 0.0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -99,7 +103,7 @@ std::vector<GivingCell> givingCells(const std::vector<AssemblyPart>& parts,
           cell.bonds |= 1U << pair;
       }
       double volume = cell.shape->volume;
-      if (fitted[p].dropped[c])  // with no bond left it only repeats what the other part has
+      if (fitted[p].merged[c])  // with no bond left it only repeats what the other part has
         volume =
             cell.bonds == 0 ? 0.0 : std::max(0.0, cellVolume(cornerPositions(mergedPositions, cell.corners)));
       cell.mass = density * volume / 8.0;

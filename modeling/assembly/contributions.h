@@ -13,6 +13,7 @@ struct FittedPart {
   BondFit fit;
   double cellSize = 0.0;  ///< cm: edge of a cube of the cells' mean volume; of a raw network, its mean bond
   std::vector<std::uint8_t> dropped;  ///< one a cell: no cell of the network
+  std::vector<std::uint8_t> merged;   ///< one a cell: dropped or a wedge
 };
 
 /// A cell in the merged network, ready to give.
@@ -30,7 +31,7 @@ struct GivingBond {
   std::uint32_t part = 0;
 };
 
-/// Fits the part's cells between the merged nodes; dropped ones as they were before. Problem: a cell without
+/// Fits the part's cells between the merged nodes; dropped ones and wedges as they were before. Problem: a cell without
 /// volume.
 sim::Result<FittedPart> fitPart(const AssemblyPart& part, const Material& material,
                                 const std::vector<Vec3>& mergedPositions, const GlueResult& glue,

@@ -7,6 +7,7 @@
 
 #include "modeling/glue/nearest.h"
 #include "modeling/shapes/quality.h"
+#include "sim/network/wedge.h"
 
 namespace modeling {
 namespace {
@@ -15,6 +16,10 @@ using sim::kNone;
 
 /// Below this a cell's corner counts as flat: its stiffness would be noise.
 constexpr double kFlatCorner = 1e-3;
+
+/// A wedge of less than this share of the cell's volume before is a sliver, and not worth having. One with a
+/// corner that is bent in is: without it there would be a hole.
+constexpr double kSliver = 0.05;
 
 using Bond = std::array<NodeIndex, 2>;
 
@@ -216,13 +221,19 @@ class Gluer {
     }
   }
 
-  /// Drops the cells that have no volume of their own any more, and refuses those turned inside out.
+  /// Tells the wedges, drops the cells that have no volume of their own any more, and refuses those turned
+  /// inside out.
   std::optional<sim::Problem> checkCells() {
     result_.droppedCells.resize(parts_.size());
+    result_.wedges.resize(parts_.size());
     for (std::size_t part = 0; part < parts_.size(); ++part)
       for (std::size_t cell = 0; cell < parts_[part].cells.size(); ++cell)
         if (auto problem = checkCell(part, static_cast<sim::CellIndex>(cell))) return problem;
     return std::nullopt;
+  }
+
+  static bool isWorthWhile(const sim::CellCorners& wedge, const CornerPositions& corners, double before) {
+    return sim::isProperWedge(wedge) && cellVolume(corners) > kSliver * before;
   }
 
   std::optional<sim::Problem> checkCell(std::size_t part, sim::CellIndex index) {
@@ -242,10 +253,16 @@ class Gluer {
       corners[c] = positions_[merged[c]];
     }
     GlueReport& report = result_.reports[last];
-    std::sort(merged.begin(), merged.end());
-    if (allByOne || std::adjacent_find(merged.begin(), merged.end()) != merged.end()) {
+    const double before = cellVolume(cornerPositions(parts_[part].nodes, cell));
+    const bool isWedge = sim::isWedge(merged);
+    if (allByOne || (isWedge && !isWorthWhile(merged, corners, before))) {
       result_.droppedCells[part].push_back(index);
       ++report.cellsDropped;
+      return std::nullopt;
+    }
+    if (isWedge) {
+      result_.wedges[part].push_back(index);
+      ++report.wedges;
       return std::nullopt;
     }
     const double quality = scaledJacobian(corners);

@@ -65,11 +65,12 @@ struct GlueReport {
       0;  ///< of the pairs of corners of A's cells (28 a cell) and A's loose bonds, both ends glued here
   std::size_t bondsDuplicate = 0;  ///< of the others: how many fell on a pair that already had one
   std::size_t cellsDropped = 0;    ///< of A: see GlueResult::droppedCells
+  std::size_t wedges = 0;          ///< of A: see GlueResult::wedges
   double worstDistance = 0.0;      ///< cm, between an a-node and its b-node
   std::size_t nodesTaken =
       0;  ///< in reach, but dropped already by an earlier gluing, and so left as they are
   std::size_t nodesReleased = 0;          ///< in reach, but let go because a cell would have been twisted
-  double worstScaledJacobian = 1.0;       ///< of A's remaining cells with a glued corner
+  double worstScaledJacobian = 1.0;       ///< of A's remaining cells with a glued corner, but for wedges
   sim::CellIndex worstCell = sim::kNone;  ///< of A, where there is one
 };
 
@@ -81,9 +82,12 @@ struct GlueResult {
   std::vector<GlueReport> reports;  ///< one a gluing
   std::vector<std::vector<std::uint32_t>>
       gluedBy;  ///< [part][local]: the gluing that dropped this node, or kNone
-  /// [part]: cells, ascending, that stand for no volume of their own any more: two corners have become one
-  /// node, or all eight were glued in one gluing (all their bonds are zero).
+  /// [part]: cells, ascending, that stand for no volume of their own any more: all eight corners were glued
+  /// in one gluing (all their bonds are zero), or so many have become one node that it is flat or folded.
   std::vector<std::vector<sim::CellIndex>> droppedCells;
+  /// [part]: cells, ascending, of which neighbouring corners have become one node and that still enclose a
+  /// volume (sim/network/wedge.h). Their bonds are as stiff as those of the cell before.
+  std::vector<std::vector<sim::CellIndex>> wedges;
 };
 
 /// The pairs of one gluing. Problem: reach not positive or not finite, a part with itself, a pair out of

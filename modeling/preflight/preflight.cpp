@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "modeling/shapes/quality.h"
+#include "sim/network/wedge.h"
 #include "sim/take/frame_times.h"
 
 namespace modeling {
@@ -52,6 +53,7 @@ void listWorstCells(const sim::Network& network, Preflight& found) {
   };
   std::vector<Measured> all;
   for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
+    if (sim::isWedge(network.cells[cell])) continue;
     const CornerPositions corners = cornerPositions(network.positions, network.cells[cell]);
     all.push_back({cell, scaledJacobian(corners), cellAspect(corners)});
   }

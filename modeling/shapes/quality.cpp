@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Geometry>
 
@@ -32,6 +33,27 @@ double tripleProduct(const Vec3& a, const Vec3& b, const Vec3& c) {
   return a.cross(b).dot(c);
 }
 
+/// Nothing where an edge has no length.
+std::optional<double> scaledJacobianAt(const CornerPositions& corners, std::size_t corner) {
+  // Every edge is taken in the direction of its axis, so that a cube gives +1 at each corner.
+  Vec3 edges[3];
+  double lengths = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t other = corner ^ (std::size_t{1} << axis);
+    edges[axis] = corners[std::max(corner, other)] - corners[std::min(corner, other)];
+    lengths *= edges[axis].norm();
+  }
+  if (!(lengths > 0.0)) return std::nullopt;
+  return tripleProduct(edges[0], edges[1], edges[2]) / lengths;
+}
+
+/// Whether its edges lead to three different places. At merged corners they do not, nor beside a side that has
+/// collapsed to an edge.
+bool hasThreeNeighbours(const CornerPositions& corners, std::size_t corner) {
+  const Vec3 &x = corners[corner ^ 1U], &y = corners[corner ^ 2U], &z = corners[corner ^ 4U];
+  return x != y && y != z && z != x;
+}
+
 }  // namespace
 
 CornerPositions cornerPositions(const std::vector<Vec3>& nodes, const sim::CellCorners& cell) {
@@ -42,19 +64,19 @@ CornerPositions cornerPositions(const std::vector<Vec3>& nodes, const sim::CellC
 
 double scaledJacobian(const CornerPositions& corners) {
   double smallest = 1.0;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    // Every edge is taken in the direction of its axis, so that a cube gives +1 at each corner.
-    Vec3 edges[3];
-    double lengths = 1.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t other = corner ^ (std::size_t{1} << axis);
-      edges[axis] = corners[std::max(corner, other)] - corners[std::min(corner, other)];
-      lengths *= edges[axis].norm();
-    }
-    const double scaled = lengths > 0.0 ? tripleProduct(edges[0], edges[1], edges[2]) / lengths : 0.0;
-    smallest = std::min(smallest, scaled);
-  }
+  for (std::size_t corner = 0; corner < 8; ++corner)
+    smallest = std::min(smallest, scaledJacobianAt(corners, corner).value_or(0.0));
   return smallest;
+}
+
+double scaledJacobianOfWedge(const CornerPositions& corners) {
+  std::optional<double> smallest;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    if (!hasThreeNeighbours(corners, corner)) continue;
+    const std::optional<double> here = scaledJacobianAt(corners, corner);
+    if (here) smallest = std::min(smallest.value_or(1.0), *here);
+  }
+  return smallest.value_or(0.0);
 }
 
 double cellAspect(const CornerPositions& corners) {

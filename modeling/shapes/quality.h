@@ -31,6 +31,10 @@ CornerPositions cornerPositions(const std::vector<Vec3>& nodes, const sim::CellC
 /// The smallest, over the corners, of the triple product of the three unit edges that leave it.
 double scaledJacobian(const CornerPositions& corners);
 
+/// Likewise of a wedge (sim/network/wedge.h): over the corners that three edges leave to three places; 0
+/// where there is none.
+double scaledJacobianOfWedge(const CornerPositions& corners);
+
 /// Longest over shortest edge.
 double cellAspect(const CornerPositions& corners);
 

@@ -8,6 +8,7 @@
 
 #include "sim/base/random.h"
 #include "sim/dynamics/methods/runge_kutta.h"
+#include "sim/network/wedge.h"
 
 namespace sim {
 namespace {
@@ -54,8 +55,9 @@ class CellBound {
   explicit CellBound(const Network& network)
       : network_(network), cellsOfNode_(network.nodeCount(), 0), cellsOfBond_(network.bondCount(), 0) {
     for (const CellCorners& corners : network.cells) {
-      for (const NodeIndex corner : corners) ++cellsOfNode_[corner];
-      forEachBond(corners, [&](std::size_t, std::size_t, BondIndex bond) { ++cellsOfBond_[bond]; });
+      for (const NodeIndex corner : DistinctCorners(corners)) ++cellsOfNode_[corner];
+      forEachBond(DistinctCorners(corners),
+                  [&](std::size_t, std::size_t, BondIndex bond) { ++cellsOfBond_[bond]; });
     }
   }
 
@@ -92,7 +94,7 @@ class CellBound {
 
  private:
   template <class Visit>
-  void forEachBond(const CellCorners& corners, Visit&& visit) const {
+  void forEachBond(const DistinctCorners& corners, Visit&& visit) const {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
         const BondIndex bond = network_.findBond(corners[i], corners[j]);
@@ -105,7 +107,7 @@ class CellBound {
   double inverseShare(NodeIndex node) const { return inverseMass(network_, node) * cellsOfNode_[node]; }
 
   double rowBound(CellIndex cell) const {
-    const CellCorners& corners = network_.cells[cell];
+    const DistinctCorners corners(network_.cells[cell]);
     std::array<double, 8> rowSum{};
     forEachBond(corners, [&](std::size_t i, std::size_t j, BondIndex bond) {
       const double first = inverseShare(corners[i]);
@@ -117,7 +119,7 @@ class CellBound {
   }
 
   double largestEigenvalue(CellIndex cell) const {
-    const CellCorners& corners = network_.cells[cell];
+    const DistinctCorners corners(network_.cells[cell]);
     Eigen::Matrix<double, 24, 24> matrix = Eigen::Matrix<double, 24, 24>::Zero();
     forEachBond(corners, [&](std::size_t i, std::size_t j, BondIndex bond) {
       const Vec3 along = (network_.positions[corners[j]] - network_.positions[corners[i]]).normalized();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/network/wedge.h"
+
 namespace sim {
 
 Breakage::Breakage(const Network& network) : network_(&network) {}
@@ -21,13 +23,13 @@ void Breakage::makeLists() {
   cellBroken_.resize(network.cellCount(), 0);
   firstCell_.assign(network.nodeCount() + 1, 0);
   for (const CellCorners& corners : network.cells) {
-    for (const NodeIndex corner : corners) ++firstCell_[corner + 1];
+    for (const NodeIndex corner : DistinctCorners(corners)) ++firstCell_[corner + 1];
   }
   for (std::size_t n = 0; n < network.nodeCount(); ++n) firstCell_[n + 1] += firstCell_[n];
   cellsOfNode_.resize(firstCell_.back());
   std::vector<std::uint32_t> next(firstCell_.begin(), firstCell_.end() - 1);
   for (CellIndex cell = 0; cell < network.cellCount(); ++cell) {
-    for (const NodeIndex corner : network.cells[cell]) cellsOfNode_[next[corner]++] = cell;
+    for (const NodeIndex corner : DistinctCorners(network.cells[cell])) cellsOfNode_[next[corner]++] = cell;
   }
 }
 
@@ -60,7 +62,7 @@ bool Breakage::hasWholeCell(NodeIndex a, NodeIndex b) const {
 
 std::vector<BondIndex> Breakage::orphansOf(CellIndex cell) const {
   std::vector<BondIndex> orphans;
-  const CellCorners& corners = network_->cells[cell];
+  const DistinctCorners corners(network_->cells[cell]);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = i + 1; j < corners.size(); ++j) {
       const BondIndex bond = network_->findBond(corners[i], corners[j]);

@@ -36,42 +36,42 @@ class BodySurface {
   void addOutside(std::uint32_t place) {
     const std::uint32_t face = complex_.outsideFaces()[place];
     const CellIndex cell = face / kCellSides;
-    const auto nodes = complex_.nodesOf(face);
+    const SideNodes nodes = complex_.nodesOf(face);
     const CrackNet::DividedFace* divided = net_.dividedFace(place);
     if (divided != nullptr && divided->cut) {
       addQuarters(*divided, cell, nodes);
-    } else if (isDropped(nodes[0])) {
+    } else if (isDropped(nodes.nodes[0])) {
       // A loose node is a piece of its own: none of the others is in one with it.
       return;
     } else if (divided != nullptr) {
       addFan(*divided, cell, nodes);
     } else {
-      addFace({pointOf(nodes[0]), pointOf(nodes[1]), pointOf(nodes[2]), pointOf(nodes[3])}, 4, cell, nodes[0],
-              false);
+      const auto& [a, b, c, d] = nodes.nodes;
+      addFace({pointOf(a), pointOf(b), pointOf(c), pointOf(d)}, cell, a, false);
     }
   }
 
-  void addQuarters(const CrackNet::DividedFace& divided, CellIndex cell,
-                   const std::array<NodeIndex, 4>& nodes) {
-    for (std::size_t c = 0; c < 4; ++c) {
-      const NodeIndex node = nodes[c];
+  void addQuarters(const CrackNet::DividedFace& divided, CellIndex cell, const SideNodes& nodes) {
+    for (std::size_t c = 0; c < nodes.distinct; ++c) {
+      const NodeIndex node = nodes.nodes[c];
       if (isDropped(node)) continue;
-      addFace({pointOf(node), pointOf(divided.middles[c], node), pointOf(divided.centre, node),
+      const std::size_t after = nodes.isTriangle() && c == 2 ? 3 : c;
+      addFace({pointOf(node), pointOf(divided.middles[after], node), pointOf(divided.centre, node),
                pointOf(divided.middles[(c + 3) % 4], node)},
-              4, cell, node, false);
+              cell, node, false);
     }
   }
 
-  void addFan(const CrackNet::DividedFace& divided, CellIndex cell, const std::array<NodeIndex, 4>& nodes) {
+  void addFan(const CrackNet::DividedFace& divided, CellIndex cell, const SideNodes& nodes) {
     std::vector<std::uint32_t> around;
     for (std::size_t c = 0; c < 4; ++c) {
-      around.push_back(pointOf(nodes[c]));
-      if (divided.middles[c] != kNone) around.push_back(pointOf(divided.middles[c], nodes[c]));
+      if (c < nodes.distinct) around.push_back(pointOf(nodes.nodes[c]));
+      if (divided.middles[c] != kNone) around.push_back(pointOf(divided.middles[c], nodes.nodes[c]));
     }
-    const std::uint32_t centre = pointOf(divided.centre, nodes[0]);
+    const std::uint32_t centre = pointOf(divided.centre, nodes.nodes[0]);
     for (std::size_t i = 0; i < around.size(); ++i) {
       const std::uint32_t next = around[(i + 1) % around.size()];
-      addFace({centre, around[i], next, next}, 3, cell, nodes[0], false);
+      addFace({centre, around[i], next, next}, cell, nodes.nodes[0], false);
     }
   }
 
@@ -84,15 +84,22 @@ class BodySurface {
       std::array<std::uint32_t, 4> points{};
       for (std::size_t c = 0; c < 4; ++c)
         points[low ? c : (4 - c) % 4] = pointOf(interface.vertices[c], node);
-      addFace(points, 4, interface.cell, node, true);
+      addFace(points, interface.cell, node, true);
     }
   }
 
-  void addFace(const std::array<std::uint32_t, 4>& points, std::uint8_t cornerCount, CellIndex cell,
-               NodeIndex owner, bool inside) {
+  /// Neighbouring points may be equal: of wedges, three make a triangle, and fewer nothing.
+  void addFace(const std::array<std::uint32_t, 4>& around, CellIndex cell, NodeIndex owner, bool inside) {
+    std::array<std::uint32_t, 4> points{};
+    std::uint8_t count = 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (around[c] != around[(c + 1) % 4]) points[count++] = around[c];
+    }
+    if (count < 3) return;
+    if (count == 3) points[3] = points[2];
     SurfaceMeshFace& face = topology_.faces.emplace_back();
     face.points = points;
-    face.cornerCount = cornerCount;
+    face.cornerCount = count;
     face.inside = inside;
     face.cell = cell;
     face.material = complex_.materialOf(cell);

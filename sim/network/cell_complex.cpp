@@ -8,17 +8,9 @@ namespace sim {
 
 namespace {
 
-using Quad = std::array<NodeIndex, 4>;
-
-Quad sideNodes(const CellCorners& cell, std::uint32_t side) {
-  const auto& corners = kSideCorners[side];
-  return {cell[corners[0]], cell[corners[1]], cell[corners[2]], cell[corners[3]]};
-}
-
-Quad sortedQuad(const CellCorners& cell, std::uint32_t side) {
-  Quad quad = sideNodes(cell, side);
-  std::sort(quad.begin(), quad.end());
-  return quad;
+/// Where the ends of a side of a face are one node.
+bool isNoSide(const SideNodes& face, std::uint8_t side) {
+  return face.nodes[side] == face.nodes[(side + 1U) % 4];
 }
 
 }  // namespace
@@ -30,13 +22,10 @@ CellComplex::CellComplex(const Network& network) : network_(network) {
   findBodies();
 }
 
-std::array<NodeIndex, 4> CellComplex::nodesOf(std::uint32_t face) const {
-  return sideNodes(network_.cells[face / kCellSides], face % kCellSides);
-}
-
 std::uint32_t CellComplex::outsidePlace(std::uint32_t face) const {
   if (twins_[face] != face) return kNone;
   const auto found = std::lower_bound(outsideFaces_.begin(), outsideFaces_.end(), face);
+  if (found == outsideFaces_.end() || *found != face) return kNone;
   return static_cast<std::uint32_t>(found - outsideFaces_.begin());
 }
 
@@ -54,10 +43,15 @@ std::span<const CellComplex::OutsideEdge> CellComplex::outsideEdges(NodeIndex a,
 void CellComplex::findTwins() {
   const auto faceCount = static_cast<std::uint32_t>(network_.cellCount() * kCellSides);
   twins_.resize(faceCount);
-  std::vector<Quad> quads(faceCount);
+  std::vector<std::array<NodeIndex, 4>> quads(faceCount);
   std::vector<std::uint32_t> bucketStart(network_.nodeCount() + 1, 0);
   for (std::uint32_t face = 0; face < faceCount; ++face) {
-    quads[face] = sortedQuad(network_.cells[face / kCellSides], face % kCellSides);
+    twins_[face] = face;
+    const SideNodes nodes = nodesOf(face);
+    quads[face] = nodes.nodes;
+    // Which of a triangle's nodes stands twice is chance.
+    if (nodes.isTriangle()) quads[face][3] = kNone;
+    std::sort(quads[face].begin(), quads[face].end());
     ++bucketStart[quads[face][0] + 1];
   }
   std::partial_sum(bucketStart.begin(), bucketStart.end(), bucketStart.begin());
@@ -65,7 +59,7 @@ void CellComplex::findTwins() {
   std::vector<std::uint32_t> bucketEnd(bucketStart.begin(), bucketStart.end() - 1);
   std::vector<std::uint32_t> bucketed(faceCount);
   for (std::uint32_t face = 0; face < faceCount; ++face) {
-    twins_[face] = face;
+    if (nodesOf(face).hasCollapsed()) continue;
     std::uint32_t& end = bucketEnd[quads[face][0]];
     for (std::uint32_t slot = bucketStart[quads[face][0]]; slot < end; ++slot) {
       const std::uint32_t other = bucketed[slot];
@@ -81,22 +75,24 @@ void CellComplex::findTwins() {
 void CellComplex::listCellsOfNodes() {
   firstCell_.assign(network_.nodeCount() + 1, 0);
   for (const CellCorners& cell : network_.cells) {
-    for (const NodeIndex node : cell) ++firstCell_[node + 1];
+    for (const NodeIndex node : DistinctCorners(cell)) ++firstCell_[node + 1];
   }
   std::partial_sum(firstCell_.begin(), firstCell_.end(), firstCell_.begin());
   cellsOfNode_.resize(firstCell_.back());
   std::vector<std::uint32_t> next(firstCell_.begin(), firstCell_.end() - 1);
   for (CellIndex cell = 0; cell < network_.cellCount(); ++cell) {
-    for (const NodeIndex node : network_.cells[cell]) cellsOfNode_[next[node]++] = cell;
+    for (const NodeIndex node : DistinctCorners(network_.cells[cell])) cellsOfNode_[next[node]++] = cell;
   }
 }
 
 void CellComplex::listOutside() {
   for (std::uint32_t face = 0; face < twins_.size(); ++face) {
     if (twins_[face] != face) continue;
-    const Quad nodes = nodesOf(face);
+    const SideNodes nodes = nodesOf(face);
+    if (nodes.hasCollapsed()) continue;
     for (std::uint8_t side = 0; side < 4; ++side) {
-      const auto [low, high] = std::minmax(nodes[side], nodes[(side + 1U) % 4]);
+      if (isNoSide(nodes, side)) continue;
+      const auto [low, high] = std::minmax(nodes.nodes[side], nodes.nodes[(side + 1U) % 4]);
       outsideEdges_.push_back({low, high, static_cast<std::uint32_t>(outsideFaces_.size()), side});
     }
     outsideFaces_.push_back(face);

@@ -6,11 +6,13 @@
 
 #include "sim/network/cell_shape.h"
 #include "sim/network/network.h"
+#include "sim/network/wedge.h"
 
 namespace sim {
 
 /// How the cells of a network hang together before anything breaks: made once, it serves the surface of every
-/// moment. A face is named 6 cell + side. Building is linear in the number of cells.
+/// moment. A face is named 6 cell + side; a wedge's collapsed sides are none. Building is linear in the
+/// number of cells.
 class CellComplex {
  public:
   /// Cells that are joined by common nodes.
@@ -24,19 +26,21 @@ class CellComplex {
     NodeIndex low;
     NodeIndex high;
     std::uint32_t face;  ///< place in outsideFaces()
-    std::uint8_t side;   ///< from the face's corner `side` to the next
+    std::uint8_t side;   ///< from the face's corner `side` to the next; a triangle has no side 2
   };
 
   /// Keeps a reference to the network.
   explicit CellComplex(const Network& network);
 
   const Network& network() const { return network_; }
-  std::array<NodeIndex, 4> nodesOf(std::uint32_t face) const;
+  SideNodes nodesOf(std::uint32_t face) const {
+    return sideNodes(network_.cells[face / kCellSides], face % kCellSides);
+  }
   /// The next face of the same four nodes, in a ring; the face itself where it is outside.
   std::uint32_t twinOf(std::uint32_t face) const { return twins_[face]; }
   /// Faces that no other cell shares: the outside of the whole bodies.
   const std::vector<std::uint32_t>& outsideFaces() const { return outsideFaces_; }
-  /// kNone for a face between cells, otherwise its place in outsideFaces().
+  /// kNone for a face between cells and a collapsed side, otherwise its place in outsideFaces().
   std::uint32_t outsidePlace(std::uint32_t face) const;
   std::span<const OutsideEdge> outsideEdges(NodeIndex a, NodeIndex b) const;
   std::span<const CellIndex> cellsOf(NodeIndex node) const {

@@ -72,6 +72,7 @@ void CellCuts::findCarriers() {
 }
 
 bool CellCuts::areJoined(NodeIndex a, NodeIndex b, const Snapshot& moment) const {
+  if (a == b) return true;
   const NodeIndex carrierA = carrierOf(a);
   const NodeIndex carrierB = carrierOf(b);
   if (carrierA != a || carrierB != b) return carrierA == carrierB || areNear(carrierA, carrierB);

@@ -14,7 +14,9 @@ SurfaceMesh wholeMesh(const CellComplex& complex) {
   std::vector<std::uint32_t> pointOfNode(network.nodeCount(), kNone);
   for (const std::uint32_t face : complex.outsideFaces()) {
     SurfaceMeshFace& added = topology.faces.emplace_back();
-    const auto nodes = complex.nodesOf(face);
+    const SideNodes side = complex.nodesOf(face);
+    const auto& nodes = side.nodes;
+    added.cornerCount = side.distinct;
     for (std::size_t c = 0; c < 4; ++c) {
       std::uint32_t& point = pointOfNode[nodes[c]];
       if (point == kNone) {
@@ -34,6 +36,12 @@ std::array<Vec3, 8> cornerPositions(const Network& network, CellIndex cell) {
   std::array<Vec3, 8> corners;
   for (std::size_t c = 0; c < 8; ++c) corners[c] = network.positions[network.cells[cell][c]];
   return corners;
+}
+
+/// Where the middle of an outside face is: of a triangle, whose third corner is a whole side, in its
+/// centroid.
+Vec3 middleOf(const CurvedFaces& curved, std::uint32_t place, bool triangle) {
+  return curved.point(place, 0.5, triangle ? 1.0 / 3.0 : 0.5);
 }
 
 Vec3 localMiddle(std::uint32_t face) {
@@ -103,9 +111,12 @@ void CrackNet::addCutSides(CellIndex cell) {
       continue;
     DividedFace divided{.cut = true};
     divided.centre = sideVertex(face);
-    const auto nodes = complex_.nodesOf(face);
+    const auto nodes = complex_.nodesOf(face).nodes;
     const Eigen::Matrix3d spans = cellSpans(cornerPositions(complex_.network(), cell), localMiddle(face));
-    for (std::size_t c = 0; c < 4; ++c) divided.middles[c] = edgeVertex(nodes[c], nodes[(c + 1) % 4], spans);
+    for (std::size_t c = 0; c < 4; ++c) {
+      const NodeIndex next = nodes[(c + 1) % 4];
+      if (nodes[c] != next) divided.middles[c] = edgeVertex(nodes[c], next, spans);
+    }
     dividedFaces_[place] = divided;
     cutPlaces_.push_back(place);
   }
@@ -115,8 +126,9 @@ void CrackNet::addCutSides(CellIndex cell) {
 void CrackNet::addFans() {
   for (const std::uint32_t place : cutPlaces_) {
     const std::array<std::uint32_t, 4> middles = dividedFaces_.at(place).middles;
-    const auto nodes = complex_.nodesOf(complex_.outsideFaces()[place]);
+    const auto nodes = complex_.nodesOf(complex_.outsideFaces()[place]).nodes;
     for (std::size_t c = 0; c < 4; ++c) {
+      if (middles[c] == kNone) continue;
       for (const auto& edge : complex_.outsideEdges(nodes[c], nodes[(c + 1) % 4])) {
         DividedFace& divided = dividedFaces_[edge.face];
         if (divided.cut) continue;
@@ -153,26 +165,27 @@ std::uint32_t CrackNet::edgeVertex(NodeIndex a, NodeIndex b, const Eigen::Matrix
 }
 
 std::uint32_t CrackNet::sideVertex(std::uint32_t face) {
+  const SideNodes side = complex_.nodesOf(face);
+  if (side.hasCollapsed()) return collapsedVertex(face, side);
   std::uint32_t name = face;
   for (std::uint32_t twin = complex_.twinOf(face); twin != face; twin = complex_.twinOf(twin))
     name = std::min(name, twin);
   const auto [entry, isNew] = vertexOfSide_.try_emplace(name, 0);
   if (!isNew) return entry->second;
   Vertex vertex;
-  const auto nodes = complex_.nodesOf(face);
-  for (std::uint8_t c = 0; c < 4; ++c) {
-    vertex.start += 0.25 * complex_.network().positions[nodes[c]];
-    vertex.nodes[c] = nodes[c];
+  for (std::uint8_t c = 0; c < side.distinct; ++c) {
+    vertex.start += complex_.network().positions[side.nodes[c]] / side.distinct;
+    vertex.nodes[c] = side.nodes[c];
     vertex.groups[c] = c;
   }
-  vertex.nodeCount = 4;
+  vertex.nodeCount = side.distinct;
   vertex.spans = cellSpans(cornerPositions(complex_.network(), face / kCellSides), localMiddle(face));
   joinGroups(vertex, face / kCellSides);
   for (std::uint32_t twin = complex_.twinOf(face); twin != face; twin = complex_.twinOf(twin))
     joinGroups(vertex, twin / kCellSides);
   if (const std::uint32_t place = complex_.outsidePlace(face); place != kNone) {
     vertex.outsideFaces = {place};
-    vertex.start = whole_.curved.point(place, 0.5, 0.5);
+    vertex.start = middleOf(whole_.curved, place, side.isTriangle());
     Vec3 normal = Vec3::Zero();
     for (const std::uint32_t n : whole_.mesh.faces[place].normals) normal += whole_.mesh.normals[n];
     vertex.outside = true;
@@ -181,17 +194,25 @@ std::uint32_t CrackNet::sideVertex(std::uint32_t face) {
   return entry->second = addVertex(std::move(vertex));
 }
 
+/// The middle of the edge that is left of the side.
+std::uint32_t CrackNet::collapsedVertex(std::uint32_t face, const SideNodes& side) {
+  const auto other = std::find_if(side.nodes.begin(), side.nodes.end(),
+                                  [&](NodeIndex node) { return node != side.nodes[0]; });
+  const Eigen::Matrix3d spans =
+      cellSpans(cornerPositions(complex_.network(), face / kCellSides), localMiddle(face));
+  return edgeVertex(side.nodes[0], *other, spans);
+}
+
 std::uint32_t CrackNet::cellVertex(CellIndex cell) {
   const auto [entry, isNew] = vertexOfCell_.try_emplace(cell, 0);
   if (!isNew) return entry->second;
   Vertex vertex;
   const auto corners = cornerPositions(complex_.network(), cell);
-  for (std::uint8_t c = 0; c < kCellCorners; ++c) {
-    vertex.start += 0.125 * corners[c];
-    vertex.nodes[c] = complex_.network().cells[cell][c];
-    vertex.groups[c] = c;
+  for (const Vec3& corner : corners) vertex.start += 0.125 * corner;
+  for (const NodeIndex node : DistinctCorners(complex_.network().cells[cell])) {
+    vertex.groups[vertex.nodeCount] = vertex.nodeCount;
+    vertex.nodes[vertex.nodeCount++] = node;
   }
-  vertex.nodeCount = kCellCorners;
   vertex.spans = cellSpans(corners, Vec3::Constant(0.5));
   joinGroups(vertex, cell);
   return entry->second = addVertex(std::move(vertex));

@@ -26,6 +26,8 @@ struct WholeOutside {
 /// complaint, section "Results"). Both sides of a crack have the very same points, so that pieces fit each
 /// other exactly, whatever smoothing does.
 ///
+/// A collapsed side of a wedge meets in the middle of the edge that is left of it.
+///
 /// On the outside, points move along the outside only (as CurvedFaces curves it), and along an edge of the
 /// body only on that. No point moves farther than kReach of a cell, so that it stays on its side of the nodes
 /// around it.
@@ -59,7 +61,8 @@ class CrackNet {
   };
   /// An outside face of which more than the corners are used.
   struct DividedFace {
-    std::array<std::uint32_t, 4> middles{kNone, kNone, kNone, kNone};  ///< vertex on the side after a corner
+    /// Vertex on the side after a corner of CellComplex::nodesOf(); a triangle has none after its third.
+    std::array<std::uint32_t, 4> middles{kNone, kNone, kNone, kNone};
     std::uint32_t centre = kNone;
     bool cut = false;  ///< its corners are of several pieces
   };
@@ -81,6 +84,7 @@ class CrackNet {
   std::uint32_t edgeVertex(CellIndex cell, const CellEdge& edge);
   std::uint32_t edgeVertex(NodeIndex a, NodeIndex b, const Eigen::Matrix3d& spans);
   std::uint32_t sideVertex(std::uint32_t face);
+  std::uint32_t collapsedVertex(std::uint32_t face, const SideNodes& side);
   std::uint32_t cellVertex(CellIndex cell);
   std::uint32_t addVertex(Vertex vertex);
   void placeOnOutside(Vertex& vertex, const Vec3& normal) const;

@@ -98,7 +98,7 @@ Vec3 CrackNet::onOutside(const Vertex& vertex) const {
   Vec3 nearest = vertex.start;
   double distance = std::numeric_limits<double>::infinity();
   for (const std::uint32_t place : vertex.outsideFaces) {
-    const auto nodes = complex_.nodesOf(complex_.outsideFaces()[place]);
+    const auto nodes = complex_.nodesOf(complex_.outsideFaces()[place]).nodes;
     std::array<Vec3, 4> corners;
     for (std::size_t c = 0; c < 4; ++c) corners[c] = network.positions[nodes[c]];
     Eigen::Vector2d at = nearestShares(corners, vertex.position);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/network/wedge.h"
+
 namespace sim {
 namespace {
 
@@ -77,12 +79,11 @@ std::optional<std::string> checkConstants(const Network& network) {
 
 std::optional<std::string> checkCells(const Network& network) {
   for (std::size_t c = 0; c < network.cellCount(); ++c) {
-    CellCorners corners = network.cells[c];
-    std::sort(corners.begin(), corners.end());
-    if (corners.back() >= network.nodeCount()) return numbered("cell", c, "names a node that is not there");
-    if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) {
-      return numbered("cell", c, "names a node twice");
-    }
+    const CellCorners& corners = network.cells[c];
+    if (*std::max_element(corners.begin(), corners.end()) >= network.nodeCount())
+      return numbered("cell", c, "names a node that is not there");
+    if (!isProperWedge(corners))
+      return numbered("cell", c, "names a node at corners that are not neighbours");
   }
   return std::nullopt;
 }

@@ -167,6 +167,17 @@ TEST_CASE("a dropped cell leaves its bonds but is no cell") {
     kept = kept || (bond.a == glued.glue.globalNode[1][0] && bond.b == across);
   }
   CHECK(kept);
+
+  // As a wedge it has the same bonds and masses, and is a cell.
+  glued.glue.droppedCells[1].clear();
+  glued.glue.wedges[1] = {0};
+  const auto wedge = assemble(glued.parts, {tests::plainMaterial()}, glued.glue);
+  REQUIRE(wedge);
+  CHECK(wedge->cells.size() == 16);
+  CHECK(wedge->bonds.size() == blueprint->bonds.size());
+  for (std::size_t i = 0; i < wedge->nodes.size(); ++i)
+    CHECK(wedge->nodes[i].mass == blueprint->nodes[i].mass);
+  CHECK(sim::buildNetwork(*wedge, 1).ok());
 }
 
 TEST_CASE("held nodes have infinite mass") {

@@ -8,7 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/glue/nearest.h"
+#include "modeling/shapes/quality.h"
 #include "modeling/shapes/slab.h"
+#include "sim/network/wedge.h"
 #include "tests/modeling/shapes_teapot.h"
 
 using modeling::GluePart;
@@ -49,6 +51,15 @@ modeling::GlueResult glued(const std::vector<GluePart>& parts, const std::vector
   INFO((result.ok() ? "" : result.problem().line()));
   REQUIRE(result.ok());
   return std::move(result).value();
+}
+
+/// Of the merged nodes.
+std::vector<Vec3> positionsOf(const std::vector<GluePart>& parts, const modeling::GlueResult& result) {
+  std::vector<Vec3> positions(result.nodeCount);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t node = 0; node < parts[p].nodes.size(); ++node)
+      if (result.gluedBy[p][node] == sim::kNone) positions[result.globalNode[p][node]] = parts[p].nodes[node];
+  return positions;
 }
 
 /// Distinct pairs of corners of the cells of all parts, after gluing, without what gluing set to zero.
@@ -185,20 +196,31 @@ TEST_CASE("Nodes share a partner only where there is no other nearly as near", "
   CHECK(partners(0.10, 0.31) == std::vector<NodeIndex>{0, 0});     // out of reach, as is the first node
 }
 
-TEST_CASE("A cell whose corners fall together is dropped and counted", "[glue]") {
+TEST_CASE("A cell whose corners fall together is a wedge where it keeps a volume", "[glue]") {
   // a is twice as fine as b across the face: nine nodes find four.
   const std::vector<GluePart> parts{block("a", {2, 2, 2}, Vec3(0, 0, 1), 0.5),
                                     block("b", {1, 1, 1}, Vec3(0, 0, 0))};
   const auto result = glued(parts, {gluing(0, 1, 0.49)});
   CHECK(result.reports[0].nodesMerged == 4);
-  CHECK(result.reports[0].cellsDropped == 0);
+  CHECK(result.reports[0].wedges == 0);
   const auto wider = glued(parts, {gluing(0, 1, 0.6)});
-  CHECK(wider.reports[0].cellsDropped > 0);
-  for (const auto cell : wider.droppedCells[0]) {
-    std::set<NodeIndex> corners;
-    for (const NodeIndex corner : parts[0].cells[cell]) corners.insert(wider.globalNode[0][corner]);
-    CHECK(corners.size() < 8);
+  CHECK(wider.reports[0].wedges > 0);
+  CHECK(wider.reports[0].wedges == wider.wedges[0].size());
+  CHECK(wider.reports[0].wedges + wider.reports[0].cellsDropped == 4);
+  const std::vector<Vec3> positions = positionsOf(parts, wider);
+  double volume = 0.0;
+  for (sim::CellIndex cell = 0; cell < parts[0].cells.size(); ++cell) {
+    sim::CellCorners corners;
+    for (std::size_t c = 0; c < 8; ++c) corners[c] = wider.globalNode[0][parts[0].cells[cell][c]];
+    const bool isWedge = std::binary_search(wider.wedges[0].begin(), wider.wedges[0].end(), cell);
+    const bool isDropped =
+        std::binary_search(wider.droppedCells[0].begin(), wider.droppedCells[0].end(), cell);
+    CHECK(sim::isWedge(corners) == (isWedge || isDropped));
+    if (isWedge) CHECK(sim::isProperWedge(corners));
+    if (!isDropped) volume += modeling::cellVolume(modeling::cornerPositions(positions, corners));
   }
+  // Without the wedges it is 5/8 of a's cube.
+  CHECK(volume > 0.8);
 }
 
 TEST_CASE("Whatever the reach and the mismatch, no cell is left twisted", "[glue]") {

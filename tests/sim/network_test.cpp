@@ -131,7 +131,7 @@ TEST_CASE("an invariant broken by hand is found") {
   CHECK(found([](sim::Network& network) { network.bondClasses.set(5, 1000); }));
   CHECK(found([](sim::Network& network) { network.thresholds[5] = 0.0F; }));
   CHECK(found([](sim::Network& network) { network.masses[5] = NAN; }));
-  CHECK(found([](sim::Network& network) { network.cells[0][1] = network.cells[0][0]; }));
+  CHECK(found([](sim::Network& network) { network.cells[0][3] = network.cells[0][0]; }));
 }
 
 }  // namespace

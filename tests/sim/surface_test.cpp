@@ -11,6 +11,7 @@
 #include "sim/base/random.h"
 #include "sim/network/level_surface.h"
 #include "sim/network/surface_mesh.h"
+#include "sim/network/wedge.h"
 #include "tests/support/grid_network.h"
 
 namespace {
@@ -192,6 +193,66 @@ TEST_CASE("whatever breaks, fragments are closed and fill at rest exactly what t
       // The outside of a shaken block is curved where it is divided and straight where it is not.
       CHECK(totalVolume(mesh) == Approx(volume).epsilon(2e-2));
       CHECK((mesh.points.empty() || (mesh.points.back() - mesh.restPoints.back()).norm() < 1e-12));
+    }
+  }
+}
+
+/// A block of shaken cells in which some neighbouring nodes are one: prisms, and where two pairs meet, less.
+Network wedgedBlock(std::uint64_t seed) {
+  const Network plain = shakenBlock(4, 4, 3, seed);
+  std::vector<NodeIndex> kept(plain.nodeCount());
+  sim::Blueprint blueprint;
+  blueprint.materials = {sim::Material{.name = "test"}};
+  blueprint.partNames = {"block"};
+  const auto at = [](unsigned x, unsigned y, unsigned z) { return (x * 5 + y) * 4 + z; };
+  for (NodeIndex node = 0; node < plain.nodeCount(); ++node) kept[node] = node;
+  // Pairs along x in the top layer, along y at its far end, and one inside.
+  for (unsigned y = 0; y < 5; ++y) kept[at(2, y, 3)] = at(1, y, 3);
+  kept[at(4, 2, 3)] = at(4, 1, 3);
+  kept[at(3, 2, 3)] = at(3, 1, 3);
+  kept[at(3, 3, 1)] = at(2, 3, 1);
+  std::vector<NodeIndex> number(plain.nodeCount());
+  for (NodeIndex node = 0; node < plain.nodeCount(); ++node) {
+    if (kept[node] != node) continue;
+    number[node] = static_cast<NodeIndex>(blueprint.nodes.size());
+    blueprint.nodes.push_back({.position = plain.positions[node], .mass = 1.0});
+  }
+  std::set<std::pair<NodeIndex, NodeIndex>> bonds;
+  for (sim::CellCorners cell : plain.cells) {
+    for (NodeIndex& corner : cell) corner = number[kept[corner]];
+    blueprint.cells.push_back(cell);
+    for (const NodeIndex a : cell) {
+      for (const NodeIndex b : cell) {
+        if (a < b) bonds.insert({a, b});
+      }
+    }
+  }
+  for (const auto& [a, b] : bonds)
+    blueprint.bonds.push_back({.a = a, .b = b, .stiffness = 1.0, .restLength = 1.0});
+  return sim::buildNetwork(std::move(blueprint), seed).value();
+}
+
+TEST_CASE("wedges fill what they enclose, whole and broken") {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Network network = wedgedBlock(seed);
+    REQUIRE(std::count_if(network.cells.begin(), network.cells.end(), sim::isWedge) >= 10);
+    double volume = 0.0;
+    for (const auto& cell : network.cells) volume += cellVolume(cell, network.positions);
+    const SurfaceMesh whole = SurfaceBuilder(network).build(sim::momentAtRest(network));
+    CHECK(isClosed(whole));
+    CHECK(totalVolume(whole) == Approx(volume).epsilon(1e-12));
+    CHECK(std::count_if(whole.faces.begin(), whole.faces.end(),
+                        [](const auto& face) { return face.cornerCount == 3; }) == 4);
+    std::set<sim::CellIndex> cells;
+    for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
+      if (sim::uniformAt(seed + 500, cell) < 0.1 + 0.06 * static_cast<double>(seed)) cells.insert(cell);
+    }
+    for (const auto loose : {LooseNodes::shards, LooseNodes::givenToNeighbours}) {
+      const SurfaceMesh mesh = SurfaceBuilder(network, loose).build(broken(network, cells));
+      CHECK(isClosed(mesh));
+      CHECK(totalVolume(mesh) == Approx(volume).epsilon(2e-2));
+      CHECK(std::all_of(mesh.normals.begin(), mesh.normals.end(),
+                        [](const Vec3& normal) { return std::abs(normal.norm() - 1.0) < 1e-9; }));
     }
   }
 }

@@ -157,6 +157,9 @@ QString GluePanel::countsText() const {
   if (report.cellsDropped > 0)
     lines << (report.cellsDropped == 1 ? tr("1 cell dropped")
                                        : tr("%1 cells dropped").arg(report.cellsDropped));
+  if (report.wedges > 0)
+    lines << (report.wedges == 1 ? tr("1 cell became a wedge")
+                                 : tr("%1 cells became wedges").arg(report.wedges));
   return lines.join(u'\n');
 }
 

@@ -3,6 +3,7 @@
 #include "modeling/exchange/take_scene.h"
 #include "modeling/shapes/quality.h"
 #include "sim/base/random.h"
+#include "sim/network/wedge.h"
 #include "ui/viewport/colour_map.h"
 
 namespace ui {
@@ -41,8 +42,10 @@ std::uint32_t Palette::ofFace(const DrawnFace& face) const {
     case Colouring::fragments:
       return packed(fragmentColour(face.fragment), kPlainGlaze);
     case Colouring::quality: {
-      const double quality =
-          modeling::scaledJacobian(modeling::cornerPositions(network_.positions, network_.cells[face.cell]));
+      const sim::CellCorners& cell = network_.cells[face.cell];
+      const modeling::CornerPositions corners = modeling::cornerPositions(network_.positions, cell);
+      const double quality = sim::isWedge(cell) ? modeling::scaledJacobianOfWedge(corners)
+                                                : modeling::scaledJacobian(corners);
       return packed(viridis(static_cast<float>(quality)), 0.0F);
     }
     case Colouring::material:
