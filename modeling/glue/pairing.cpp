@@ -20,6 +20,9 @@ using sim::kNone;
 constexpr double kTwisted = 0.1;
 constexpr double kLong = 6.0;
 
+/// Likewise of a wedge, which may well have corners that are flat, where three nodes are in line.
+constexpr double kBentIn = -0.1;
+
 /// How much farther than the nearest partner another may be. With a wide reach, taking any in reach scatters
 /// the inner layers of a part, and two thirds of the pairs have to be let go again as twisted (measured on a
 /// teapot's handle).
@@ -183,14 +186,15 @@ class Pairing {
   bool isTwisted(const sim::CellCorners& cell) const {
     CornerPositions corners;
     int moved = 0;
+    bool isWedge = false;
     for (std::size_t c = 0; c < 8; ++c) {
       const NodeIndex partner = partner_[cell[c]].point;
       moved += partner != kNone;
       corners[c] = partner != kNone ? b_.nodes[partner] : a_.nodes[cell[c]];
-      for (std::size_t before = 0; before < c; ++before)
-        if (corners[before] == corners[c]) return false;
+      for (std::size_t before = 0; before < c; ++before) isWedge = isWedge || corners[before] == corners[c];
     }
     if (moved == 0 || moved == 8) return false;
+    if (isWedge) return scaledJacobianOfWedge(corners) < kBentIn;
     const CornerPositions original = cornerPositions(a_.nodes, cell);
     const double quality = scaledJacobian(corners), aspect = cellAspect(corners);
     return (quality < kTwisted && quality < 0.5 * scaledJacobian(original)) ||

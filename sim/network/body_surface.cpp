@@ -36,6 +36,7 @@ class BodySurface {
   void addOutside(std::uint32_t place) {
     const std::uint32_t face = complex_.outsideFaces()[place];
     const CellIndex cell = face / kCellSides;
+    covered_ = complex_.isCovered(face);
     const SideNodes nodes = complex_.nodesOf(face);
     const CrackNet::DividedFace* divided = net_.dividedFace(place);
     if (divided != nullptr && divided->cut) {
@@ -76,6 +77,7 @@ class BodySurface {
   }
 
   void addInterface(const CrackNet::Interface& interface) {
+    covered_ = false;
     const CellEdge& edge = kCellEdges[interface.edge];
     const CellCorners& corners = complex_.network().cells[interface.cell];
     for (const bool low : {true, false}) {
@@ -101,6 +103,7 @@ class BodySurface {
     face.points = points;
     face.cornerCount = count;
     face.inside = inside;
+    face.covered = covered_;
     face.cell = cell;
     face.material = complex_.materialOf(cell);
     face.part = complex_.partOf(cell);
@@ -196,6 +199,7 @@ class BodySurface {
   const std::vector<float>& damage_;
   CrackNet net_;
   SurfaceTopology topology_;
+  bool covered_ = false;                                                 ///< of the face that is being added
   std::vector<std::array<std::uint32_t, kCellCorners>> pointsOfVertex_;  ///< by group
   std::unordered_map<NodeIndex, std::uint32_t> pointOfNode_;
   std::unordered_map<NodeIndex, std::uint32_t> fitOfNode_;

@@ -1,6 +1,7 @@
 #include "sim/network/cell_complex.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -20,6 +21,7 @@ CellComplex::CellComplex(const Network& network) : network_(network) {
   listCellsOfNodes();
   listOutside();
   findBodies();
+  findParts();
 }
 
 std::uint32_t CellComplex::outsidePlace(std::uint32_t face) const {
@@ -148,12 +150,49 @@ MaterialIndex CellComplex::materialOf(CellIndex cell) const {
   return first;
 }
 
-PartIndex CellComplex::partOf(CellIndex cell) const {
-  const MaterialIndex material = materialOf(cell);
-  for (const NodeIndex node : network_.cells[cell]) {
-    if (network_.nodeMaterials[node] == material) return network_.nodeParts[node];
+// Cells stand in the order of their parts, so that a part of a cell's nodes is its own if it is none before
+// that of the last cell with nodes of one part only, and none after that of the next. Where two are left, the
+// one of the cell's material is taken.
+void CellComplex::findParts() {
+  const auto partsOf = [&](CellIndex cell) {
+    std::array<PartIndex, kCellCorners> parts{};
+    for (std::size_t c = 0; c < kCellCorners; ++c) parts[c] = network_.nodeParts[network_.cells[cell][c]];
+    return parts;
+  };
+  const auto count = static_cast<CellIndex>(network_.cellCount());
+  parts_.assign(count, 0);
+  std::vector<PartIndex> latest(count);
+  PartIndex next = std::numeric_limits<PartIndex>::max();
+  for (CellIndex cell = count; cell-- > 0;) {
+    const auto parts = partsOf(cell);
+    if (std::all_of(parts.begin(), parts.end(), [&](PartIndex part) { return part == parts[0]; }))
+      next = parts[0];
+    latest[cell] = next;
   }
-  return network_.nodeParts[network_.cells[cell][0]];
+  PartIndex earliest = 0;
+  for (CellIndex cell = 0; cell < count; ++cell) {
+    const auto parts = partsOf(cell);
+    const MaterialIndex material = materialOf(cell);
+    bool found = false;
+    for (std::size_t c = 0; c < kCellCorners; ++c) {
+      if (parts[c] < earliest || parts[c] > latest[cell]) continue;
+      const bool fits = network_.nodeMaterials[network_.cells[cell][c]] == material;
+      if (!found || fits) parts_[cell] = parts[c];
+      found = true;
+      if (fits) break;
+    }
+    if (!found) parts_[cell] = parts[0];
+    if (std::all_of(parts.begin(), parts.end(), [&](PartIndex part) { return part == parts[0]; }))
+      earliest = parts[0];
+  }
+}
+
+bool CellComplex::isCovered(std::uint32_t face) const {
+  const auto& nodes = nodesOf(face).nodes;
+  const PartIndex other = network_.nodeParts[nodes[0]];
+  return other != partOf(face / kCellSides) && std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) {
+           return network_.nodeParts[node] == other;
+         });
 }
 
 }  // namespace sim

@@ -53,13 +53,18 @@ class CellComplex {
   /// What a cell is made of. One of two materials came about by gluing: the glue bonds keep the material of
   /// the part whose cell it was.
   MaterialIndex materialOf(CellIndex cell) const;
-  PartIndex partOf(CellIndex cell) const;
+  /// Whose cell it was: one with nodes of two parts is of one of them, and stands among its cells.
+  PartIndex partOf(CellIndex cell) const { return parts_[cell]; }
+  /// Whether a face is of a cell that was glued with all of the face's nodes: it lies on the other part, or
+  /// in it, and is not to be seen.
+  bool isCovered(std::uint32_t face) const;
 
  private:
   void findTwins();
   void listCellsOfNodes();
   void listOutside();
   void findBodies();
+  void findParts();
 
   const Network& network_;
   std::vector<std::uint32_t> twins_;
@@ -69,6 +74,7 @@ class CellComplex {
   std::vector<CellIndex> cellsOfNode_;
   std::vector<Body> bodies_;
   std::vector<NodeIndex> bareNodes_;
+  std::vector<PartIndex> parts_;  ///< one a cell
 };
 
 }  // namespace sim

@@ -46,8 +46,8 @@ using CellCorners = std::array<NodeIndex, 8>;
 ///
 /// Invariants (validate()): at most one bond a pair; bonds sorted by (first, second) with first < second, so
 /// that firstBond is a row index; all constants finite and positive; cells name eight existing nodes, all
-/// different but in wedges (sim/network/wedge.h). A node of infinite mass is held: it keeps its velocity
-/// whatever pulls at it.
+/// different but in wedges (sim/network/wedge.h); those of a part stand together, in the order of parts. A
+/// node of infinite mass is held: it keeps its velocity whatever pulls at it.
 struct Network {
   // Nodes, one entry each.
   std::vector<Vec3> positions;   ///< R_i, cm

@@ -14,7 +14,8 @@ struct SurfaceMeshFace {
   std::array<std::uint32_t, 4> points{};   ///< a triangle repeats its third
   std::array<std::uint32_t, 4> normals{};  ///< one a corner
   std::uint8_t cornerCount = 4;
-  bool inside = false;  ///< broken: the inside of the material shows
+  bool inside = false;   ///< broken: the inside of the material shows
+  bool covered = false;  ///< of a glued part, on or in the part it is glued to: closes it, but is not seen
   MaterialIndex material = 0;
   PartIndex part = 0;
   FragmentId fragment = kNone;

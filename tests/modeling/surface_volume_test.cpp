@@ -31,6 +31,38 @@ double total(const std::map<sim::FragmentId, double>& volumes) {
   return sum;
 }
 
+/// Two parts of one material, the nodes of one not above those of the other.
+constexpr const char* kStool = R"({
+  "smithereens": 1, "name": "stool", "materials": {"clay": {"preset": "tipsy-turvy-ceramic"}},
+  "parts": [
+    {"name": "leg", "kind": "slab", "material": "clay", "size": [1.5, 1.5, 3], "resolution": {"counts": [2, 2, 4]},
+     "worldFromPart": {"position": [0.2, -0.1, 1]}},
+    {"name": "seat", "kind": "slab", "material": "clay", "size": [6, 6, 1], "resolution": {"counts": [20, 20, 2]}}
+  ],
+  "glue": [{"a": "leg", "b": "seat", "reach": 0.5}]
+})";
+
+TEST_CASE("of a glued part, the faces on the other are told from those that are seen") {
+  const auto file = modeling::parseScene(kStool, "stool");
+  if (!file) FAIL(file.problem().line());
+  const auto built = modeling::build(file->scene, ".");
+  if (!built) FAIL(built.problem().line());
+  const SurfaceMesh mesh = sim::SurfaceBuilder(built->network).build(sim::momentAtRest(built->network));
+  std::size_t covered = 0;
+  double volume = 0.0;
+  for (const auto& face : mesh.faces) {
+    const std::string& part = built->network.partNames[face.part];
+    double highest = 0.0;
+    for (const std::uint32_t point : face.points) highest = std::max(highest, mesh.points[point].z());
+    if (part == "seat") CHECK(highest <= 1.0);
+    CHECK(face.covered == (part == "leg" && highest <= 1.0));
+    covered += face.covered;
+  }
+  CHECK(covered == 4);
+  for (const auto& [fragment, found] : volumes(mesh)) volume += found;
+  CHECK(volume > 36.0 + 1.5 * 1.5 * 3.0 * 0.9);
+}
+
 struct Fall {
   const char* scene;
   double until;     ///< s

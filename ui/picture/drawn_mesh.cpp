@@ -152,12 +152,20 @@ class SurfaceDrawer {
   DrawnMesh& mesh_;
 };
 
+/// What passes through glass meets covered faces too: it leaves one part there and enters the other.
+bool isSeen(const PictureScene& scene, const sim::SurfaceMesh::Face& face) {
+  return !face.covered ||
+         (face.material < scene.looks.size() && scene.looks[face.material].finish == modeling::Finish::glass);
+}
+
 DrawnMesh drawnAt(const PictureScene& scene, const sim::SurfaceMesh& surface,
                   const std::vector<sim::Collider>& colliders) {
   DrawnMesh mesh;
   const sim::Vec3 middle = scene.subject.center();
   SurfaceDrawer drawer(surface, scene, middle, mesh);
-  for (std::size_t face = 0; face < surface.faces.size(); ++face) drawer.drawFace(face);
+  for (std::size_t face = 0; face < surface.faces.size(); ++face) {
+    if (isSeen(scene, surface.faces[face])) drawer.drawFace(face);
+  }
   for (const sim::Collider& collider : colliders) {
     if (collider.visible && collider.shape != sim::ColliderShape::floor) drawCollider(collider, middle, mesh);
   }

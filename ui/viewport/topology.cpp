@@ -21,8 +21,10 @@ bool isHidden(const std::vector<std::uint8_t>& hidden, sim::PartIndex part) {
 std::vector<std::uint32_t> facesByPart(const sim::SurfaceTopology& mesh,
                                        const std::vector<std::uint8_t>& hidden, bool loose) {
   std::vector<std::uint32_t> order;
+  const bool anyHidden = std::any_of(hidden.begin(), hidden.end(), [](std::uint8_t is) { return is != 0; });
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     const sim::SurfaceMesh::Face& face = mesh.faces[f];
+    if (face.covered && !anyHidden) continue;
     if ((face.cell == sim::kNone) == loose && !isHidden(hidden, face.part)) order.push_back(f);
   }
   std::stable_sort(order.begin(), order.end(),
