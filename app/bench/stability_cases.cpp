@@ -90,7 +90,7 @@ sim::Result<sim::Network> networkOf(const Bar& bar, std::uint64_t seed) {
     glue.globalNode.push_back(std::move(global));
     glue.gluedBy.emplace_back(part.lattice.nodes.size(), sim::kNone);
     glue.droppedCells.emplace_back();
-    glue.wedges.emplace_back();
+    glue.misshapen.emplace_back();
     parts.push_back(std::move(part));
   }
   auto blueprint = modeling::assemble(parts, {bar.material}, glue);

@@ -69,6 +69,7 @@ Json glueJson(const std::vector<modeling::GlueReport>& reports) {
                     {"bonds_duplicate", glue.bondsDuplicate},
                     {"cells_dropped", glue.cellsDropped},
                     {"wedges", glue.wedges},
+                    {"cells_bent", glue.bent},
                     {"worst_distance_cm", glue.worstDistance},
                     {"worst_scaled_jacobian", glue.worstScaledJacobian}});
   }

@@ -102,7 +102,7 @@ sim::Result<std::vector<FittedPart>> fitParts(const std::vector<AssemblyPart>& p
 sim::Result<sim::Blueprint> assemble(const std::vector<AssemblyPart>& parts,
                                      const std::vector<Material>& materials, const GlueResult& glue) {
   assert(glue.globalNode.size() == parts.size() && glue.gluedBy.size() == parts.size() &&
-         glue.droppedCells.size() == parts.size() && glue.wedges.size() == parts.size());
+         glue.droppedCells.size() == parts.size() && glue.misshapen.size() == parts.size());
   if (auto status = validateAll(materials); !status) return status.problem();
   constexpr std::size_t kMost =
       std::numeric_limits<sim::PartIndex>::max() / 2;  // parts may double the materials

@@ -57,15 +57,15 @@ sim::Result<FittedPart> fitPart(const AssemblyPart& part, const Material& materi
   FittedPart fitted;
   fitted.dropped.assign(part.lattice.cells.size(), 0);
   for (const sim::CellIndex cell : glue.droppedCells[index]) fitted.dropped[cell] = 1;
-  fitted.merged = fitted.dropped;
-  for (const sim::CellIndex cell : glue.wedges[index]) fitted.merged[cell] = 1;
+  fitted.asBefore = fitted.dropped;
+  for (const sim::CellIndex cell : glue.misshapen[index]) fitted.asBefore[cell] = 1;
 
-  const bool anyMerged = !glue.droppedCells[index].empty() || !glue.wedges[index].empty();
+  const bool anyAsBefore = !glue.droppedCells[index].empty() || !glue.misshapen[index].empty();
   const std::vector<Vec3> positions =
-      fittingPositions(part, mergedPositions, glue.globalNode[index], anyMerged);
+      fittingPositions(part, mergedPositions, glue.globalNode[index], anyAsBefore);
   std::vector<sim::CellCorners> cells = part.lattice.cells;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    if (!fitted.merged[cell]) continue;
+    if (!fitted.asBefore[cell]) continue;
     for (NodeIndex& node : cells[cell]) node += static_cast<NodeIndex>(part.lattice.nodes.size());
   }
   fitted.fit = fitBonds(positions, cells, material.pattern);
@@ -103,7 +103,7 @@ std::vector<GivingCell> givingCells(const std::vector<AssemblyPart>& parts,
           cell.bonds |= 1U << pair;
       }
       double volume = cell.shape->volume;
-      if (fitted[p].merged[c])  // with no bond left it only repeats what the other part has
+      if (fitted[p].asBefore[c])  // with no bond left it only repeats what the other part has
         volume =
             cell.bonds == 0 ? 0.0 : std::max(0.0, cellVolume(cornerPositions(mergedPositions, cell.corners)));
       cell.mass = density * volume / 8.0;

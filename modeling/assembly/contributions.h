@@ -12,8 +12,8 @@ namespace modeling {
 struct FittedPart {
   BondFit fit;
   double cellSize = 0.0;  ///< cm: edge of a cube of the cells' mean volume; of a raw network, its mean bond
-  std::vector<std::uint8_t> dropped;  ///< one a cell: no cell of the network
-  std::vector<std::uint8_t> merged;   ///< one a cell: dropped or a wedge
+  std::vector<std::uint8_t> dropped;   ///< one a cell: no cell of the network
+  std::vector<std::uint8_t> asBefore;  ///< one a cell: fitted as before gluing
 };
 
 /// A cell in the merged network, ready to give.
@@ -31,8 +31,8 @@ struct GivingBond {
   std::uint32_t part = 0;
 };
 
-/// Fits the part's cells between the merged nodes; dropped ones and wedges as they were before. Problem: a cell without
-/// volume.
+/// Fits the part's cells between the merged nodes; dropped and misshapen ones as they were before. Problem: a
+/// cell without volume.
 sim::Result<FittedPart> fitPart(const AssemblyPart& part, const Material& material,
                                 const std::vector<Vec3>& mergedPositions, const GlueResult& glue,
                                 std::size_t index);

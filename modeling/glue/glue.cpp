@@ -14,8 +14,9 @@ namespace {
 
 using sim::kNone;
 
-/// Below this a cell's corner counts as flat: its stiffness would be noise.
-constexpr double kFlatCorner = 1e-3;
+/// Below this scaled Jacobian a cell counts as misshapen, if it was twice as good before: what stiffness a
+/// fit to it finds would be more and more noise.
+constexpr double kMisshapen = 0.1;
 
 /// A wedge of less than this share of the cell's volume before is a sliver, and not worth having. One with a
 /// corner that is bent in is: without it there would be a hole.
@@ -221,11 +222,11 @@ class Gluer {
     }
   }
 
-  /// Tells the wedges, drops the cells that have no volume of their own any more, and refuses those turned
-  /// inside out.
+  /// Tells the misshapen cells, drops those that have no volume of their own any more, and refuses those
+  /// turned inside out.
   std::optional<sim::Problem> checkCells() {
     result_.droppedCells.resize(parts_.size());
-    result_.wedges.resize(parts_.size());
+    result_.misshapen.resize(parts_.size());
     for (std::size_t part = 0; part < parts_.size(); ++part)
       for (std::size_t cell = 0; cell < parts_[part].cells.size(); ++cell)
         if (auto problem = checkCell(part, static_cast<sim::CellIndex>(cell))) return problem;
@@ -261,16 +262,21 @@ class Gluer {
       return std::nullopt;
     }
     if (isWedge) {
-      result_.wedges[part].push_back(index);
+      result_.misshapen[part].push_back(index);
       ++report.wedges;
       return std::nullopt;
     }
     const double quality = scaledJacobian(corners);
-    if (report.worstCell == kNone || quality < report.worstScaledJacobian) {
-      report.worstScaledJacobian = quality;
-      report.worstCell = index;
+    if (quality > kBentIn && cellVolume(corners) > kSliver * before) {
+      if (quality < kMisshapen && quality < 0.5 * scaledJacobian(cornerPositions(parts_[part].nodes, cell))) {
+        result_.misshapen[part].push_back(index);
+        ++report.bent;
+      } else if (report.worstCell == kNone || quality < report.worstScaledJacobian) {
+        report.worstScaledJacobian = quality;
+        report.worstCell = index;
+      }
+      return std::nullopt;
     }
-    if (quality > kFlatCorner) return std::nullopt;
     char text[96];
     std::snprintf(text, sizeof text, "(%.3g, %.3g, %.3g)", corners[0].x(), corners[0].y(), corners[0].z());
     return sim::Problem{

@@ -15,6 +15,10 @@ namespace modeling {
 using sim::NodeIndex;
 using sim::Vec3;
 
+/// Least scaled Jacobian that gluing may leave a cell with: a corner bent in so far is not to be seen, and
+/// what the cell's bonds do does not hang on its shape (GlueResult::misshapen).
+inline constexpr double kBentIn = -0.1;
+
 /// Gluing as the paper defines it (section "Geometric modeling"): shape A is glued to shape B by choosing
 /// nodes a_i of A, pairing each with the nearest node b_i of B, and putting b_i in a_i's place in every bond
 /// ("glue bonds"). A bond between two chosen nodes would repeat what B has: its constants are zero. The a_i
@@ -23,7 +27,8 @@ using sim::Vec3;
 /// Deviations, where nodes are chosen by reach: of two a-nodes with the same nearest b-node the farther takes
 /// the nearest that is free, in reach, and at most half as far again, since two corners in one node flatten a
 /// cell; where that would twist a cell, it goes back to its nearest; and where a cell would be twisted even
-/// so, its farthest corner is let go and not glued. A reach of about half the cell size is usual; a much
+/// so, its farthest corner is let go and not glued. A corner may become flat, where three nodes of B are in
+/// line, or bent in a little. A reach of about half the cell size is usual; a much
 /// larger one chooses inner layers that are then let go.
 
 /// One part as gluing sees it.
@@ -65,12 +70,14 @@ struct GlueReport {
       0;  ///< of the pairs of corners of A's cells (28 a cell) and A's loose bonds, both ends glued here
   std::size_t bondsDuplicate = 0;  ///< of the others: how many fell on a pair that already had one
   std::size_t cellsDropped = 0;    ///< of A: see GlueResult::droppedCells
-  std::size_t wedges = 0;          ///< of A: see GlueResult::wedges
+  std::size_t wedges = 0;          ///< of A: cells of which corners have become one node, and not dropped
+  std::size_t bent = 0;            ///< of A: other misshapen cells, see GlueResult::misshapen
   double worstDistance = 0.0;      ///< cm, between an a-node and its b-node
   std::size_t nodesTaken =
       0;  ///< in reach, but dropped already by an earlier gluing, and so left as they are
-  std::size_t nodesReleased = 0;          ///< in reach, but let go because a cell would have been twisted
-  double worstScaledJacobian = 1.0;       ///< of A's remaining cells with a glued corner, but for wedges
+  std::size_t nodesReleased = 0;  ///< in reach, but let go because a cell would have been twisted
+  double worstScaledJacobian =
+      1.0;  ///< of A's cells with a glued corner that are neither dropped nor misshapen
   sim::CellIndex worstCell = sim::kNone;  ///< of A, where there is one
 };
 
@@ -85,9 +92,10 @@ struct GlueResult {
   /// [part]: cells, ascending, that stand for no volume of their own any more: all eight corners were glued
   /// in one gluing (all their bonds are zero), or so many have become one node that it is flat or folded.
   std::vector<std::vector<sim::CellIndex>> droppedCells;
-  /// [part]: cells, ascending, of which neighbouring corners have become one node and that still enclose a
-  /// volume (sim/network/wedge.h). Their bonds are as stiff as those of the cell before.
-  std::vector<std::vector<sim::CellIndex>> wedges;
+  /// [part]: cells, ascending, whose shape is no measure of their bonds any more: those are as stiff as
+  /// before gluing. Wedges, of which neighbouring corners have become one node (sim/network/wedge.h), and
+  /// cells with a corner that is flat or bent in.
+  std::vector<std::vector<sim::CellIndex>> misshapen;
 };
 
 /// The pairs of one gluing. Problem: reach not positive or not finite, a part with itself, a pair out of

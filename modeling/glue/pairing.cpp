@@ -14,14 +14,9 @@ namespace {
 
 using sim::kNone;
 
-/// A cell whose scaled Jacobian gluing would bring below this, and to less than half of what it was, is not
-/// worth having; nor one whose longest edge would be this many times its shortest, and twice what it was:
-/// short edges make short steps.
-constexpr double kTwisted = 0.1;
+/// A cell whose longest edge would be this many times its shortest, and twice what it was, is not worth
+/// having: short edges make short steps.
 constexpr double kLong = 6.0;
-
-/// Likewise of a wedge, which may well have corners that are flat, where three nodes are in line.
-constexpr double kBentIn = -0.1;
 
 /// How much farther than the nearest partner another may be. With a wide reach, taking any in reach scatters
 /// the inner layers of a part, and two thirds of the pairs have to be let go again as twisted (measured on a
@@ -195,10 +190,9 @@ class Pairing {
     }
     if (moved == 0 || moved == 8) return false;
     if (isWedge) return scaledJacobianOfWedge(corners) < kBentIn;
-    const CornerPositions original = cornerPositions(a_.nodes, cell);
-    const double quality = scaledJacobian(corners), aspect = cellAspect(corners);
-    return (quality < kTwisted && quality < 0.5 * scaledJacobian(original)) ||
-           (aspect > kLong && aspect > 2.0 * cellAspect(original));
+    const double aspect = cellAspect(corners);
+    return scaledJacobian(corners) < kBentIn ||
+           (aspect > kLong && aspect > 2.0 * cellAspect(cornerPositions(a_.nodes, cell)));
   }
 
   const GluePart& a_;

@@ -47,8 +47,8 @@ std::optional<double> scaledJacobianAt(const CornerPositions& corners, std::size
   return tripleProduct(edges[0], edges[1], edges[2]) / lengths;
 }
 
-/// Whether its edges lead to three different places. At merged corners they do not, nor beside a side that has
-/// collapsed to an edge.
+/// Whether its edges lead to three different places. At merged corners they do not, nor beside a side that
+/// has collapsed to an edge.
 bool hasThreeNeighbours(const CornerPositions& corners, std::size_t corner) {
   const Vec3 &x = corners[corner ^ 1U], &y = corners[corner ^ 2U], &z = corners[corner ^ 4U];
   return x != y && y != z && z != x;

@@ -170,7 +170,7 @@ TEST_CASE("a dropped cell leaves its bonds but is no cell") {
 
   // As a wedge it has the same bonds and masses, and is a cell.
   glued.glue.droppedCells[1].clear();
-  glued.glue.wedges[1] = {0};
+  glued.glue.misshapen[1] = {0};
   const auto wedge = assemble(glued.parts, {tests::plainMaterial()}, glued.glue);
   REQUIRE(wedge);
   CHECK(wedge->cells.size() == 16);

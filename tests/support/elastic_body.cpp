@@ -59,7 +59,7 @@ modeling::GlueResult unglued(const std::vector<modeling::AssemblyPart>& parts) {
     glue.globalNode.push_back(global);
     glue.gluedBy.emplace_back(part.lattice.nodes.size(), sim::kNone);
     glue.droppedCells.emplace_back();
-    glue.wedges.emplace_back();
+    glue.misshapen.emplace_back();
   }
   return glue;
 }

@@ -160,6 +160,9 @@ QString GluePanel::countsText() const {
   if (report.wedges > 0)
     lines << (report.wedges == 1 ? tr("1 cell became a wedge")
                                  : tr("%1 cells became wedges").arg(report.wedges));
+  if (report.bent > 0)
+    lines << (report.bent == 1 ? tr("1 cell has a flat corner")
+                               : tr("%1 cells have a flat corner").arg(report.bent));
   return lines.join(u'\n');
 }
 

@@ -44,8 +44,8 @@ std::uint32_t Palette::ofFace(const DrawnFace& face) const {
     case Colouring::quality: {
       const sim::CellCorners& cell = network_.cells[face.cell];
       const modeling::CornerPositions corners = modeling::cornerPositions(network_.positions, cell);
-      const double quality = sim::isWedge(cell) ? modeling::scaledJacobianOfWedge(corners)
-                                                : modeling::scaledJacobian(corners);
+      const double quality =
+          sim::isWedge(cell) ? modeling::scaledJacobianOfWedge(corners) : modeling::scaledJacobian(corners);
       return packed(viridis(static_cast<float>(quality)), 0.0F);
     }
     case Colouring::material:
