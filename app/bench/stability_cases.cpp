@@ -78,7 +78,9 @@ sim::Result<sim::Network> networkOf(const Bar& bar, std::uint64_t seed) {
   std::vector<modeling::AssemblyPart> parts;
   modeling::GlueResult glue;
   for (int copy = 0; copy < bar.copies * bar.copies * bar.copies; ++copy) {
-    const Vec3 place(copy % bar.copies, copy / bar.copies % bar.copies, copy / bar.copies / bar.copies);
+    const int row = copy / bar.copies;
+    const int layer = row / bar.copies;
+    const Vec3 place(copy % bar.copies, row % bar.copies, layer);
     modeling::AssemblyPart part;
     part.name = "bar " + std::to_string(copy);
     part.lattice = *lattice;

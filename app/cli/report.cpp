@@ -30,6 +30,7 @@ std::string hexadecimal(std::uint64_t hash) {
 void addFragments(const std::vector<sim::Fragment>& fragments, Json& report) {
   const auto fromStart = [](const sim::Fragment& fragment) { return fragment.parent == sim::kNone; };
   std::vector<std::uint32_t> sizes;
+  sizes.reserve(fragments.size());
   for (const sim::Fragment& fragment : fragments) sizes.push_back(fragment.nodeCount);
   std::sort(sizes.rbegin(), sizes.rend());
   report["components"] = std::count_if(fragments.begin(), fragments.end(), fromStart);

@@ -117,6 +117,7 @@ sim::Result<Calibration> calibrate(const Material& material, const CalibrationSe
   Calibration calibration;
   double logarithms = 0.0;
   int breaking = 0;
+  // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): each trial is a share of the last.
   for (double share = kHighest; share > kLowest; share *= ratio) {
     auto trial = drop(material, settings, share * impactStrain);
     if (!trial) return trial.problem();

@@ -220,6 +220,7 @@ class GlbWriter {
 
   std::vector<float> timesOf(const std::vector<std::size_t>& keys) const {
     std::vector<float> times;
+    times.reserve(keys.size());
     for (const std::size_t key : keys) times.push_back(static_cast<float>(motion_.times[key]));
     return times;
   }

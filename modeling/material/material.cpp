@@ -90,6 +90,7 @@ std::string_view nameOf(BondPattern pattern) {
 const std::vector<std::string>& bondPatternNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(std::size(kPatterns));
     for (const auto& entry : kPatterns) all.emplace_back(entry.second);
     return all;
   }();

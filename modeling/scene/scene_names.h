@@ -19,6 +19,7 @@ template <class Derived, class T>
 struct NameTable {
   static std::vector<std::string> names() {
     std::vector<std::string> result;
+    result.reserve(std::size(Derived::kTable));
     for (const auto& [name, value] : Derived::kTable) result.emplace_back(name);
     return result;
   }

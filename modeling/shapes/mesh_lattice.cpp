@@ -292,7 +292,8 @@ class Fitter {
   void moveTowards(NodeIndex node, const Vec3& target, double least) {
     const Vec3 before = lattice_.nodes[node];
     const double limit = std::min(least, worstAround(node));
-    for (double share = 1.0; share > 0.1; share *= 0.5) {
+    double share = 1.0;
+    for (int halving = 0; halving < 4; ++halving, share *= 0.5) {
       lattice_.nodes[node] = before + share * (target - before);
       if (worstAround(node) >= limit) return;
     }

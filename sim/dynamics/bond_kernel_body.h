@@ -244,6 +244,7 @@ SMITHEREENS_INLINE void moveLanes(const KernelStep& step, std::size_t block, std
   if (step.accelerationOnly) return;
   const Real squared = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
   // The largest of numbers among which there is one that is none would be any of them.
+  // NOLINTNEXTLINE(misc-redundant-expression): not so for what is no number.
   const double largest = stdx::all_of(squared == squared) ? stdx::hmax(squared) : stdx::reduce(squared);
   if (!(largest <= report.largestSpeedSquared)) report.largestSpeedSquared = largest;
 }

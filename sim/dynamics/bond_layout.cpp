@@ -239,6 +239,7 @@ class BondLayout::Builder {
     const auto fresh = static_cast<std::uint32_t>(layout_.lanes_.size());
     if (!plastic) {
       const auto [entry, isNew] = placeOfLanes_.try_emplace(XXH3_64bits(&lanes, sizeof lanes), fresh);
+      // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits are meant.
       if (!isNew && std::memcmp(&layout_.lanes_[entry->second], &lanes, sizeof lanes) == 0)
         return entry->second;
     }

@@ -102,7 +102,7 @@ Stepper::Present Stepper::present() const {
 /// them. The true energy goes up and down with every swing by that much, which is no gain.
 Stepper::Kept Stepper::keptEnergy() const {
   const bool verlet = settings_.method == Method::velocityVerlet;
-  const auto plain = [](LedgerRow row) { return Kept{row, row.energy.mechanical()}; };
+  const auto plain = [](const LedgerRow& row) { return Kept{row, row.energy.mechanical()}; };
   if (!verlet && settings_.method != Method::symplecticEuler) return plain(drawLedger(present()));
   Contacts::Forces forces;
   forces.touched.assign(layout_.blockCount(), 0);

@@ -88,8 +88,9 @@ CrackNet::CrackNet(const CellComplex& complex, const WholeOutside& whole, const 
 }
 
 void CrackNet::addInterfaces(CellIndex cell) {
-  for (std::uint8_t e = 0; e < kCellEdges.size(); ++e) {
-    const CellEdge& edge = kCellEdges[e];
+  std::uint8_t next = 0;
+  for (const CellEdge& edge : kCellEdges) {
+    const std::uint8_t e = next++;
     if (cuts_.pieceOf(cell, edge.low) == cuts_.pieceOf(cell, edge.high)) continue;
     const std::uint32_t middle = edgeVertex(cell, edge);
     const std::uint32_t first = sideVertex(cell * kCellSides + edge.firstSide);

@@ -14,8 +14,8 @@ namespace sim {
 class DistinctCorners {
  public:
   explicit DistinctCorners(const CellCorners& corners) {
-    for (std::uint8_t corner = 0; corner < corners.size(); ++corner) {
-      if (std::find(begin(), end(), corners[corner]) == end()) nodes_[count_++] = corners[corner];
+    for (const NodeIndex node : corners) {
+      if (std::find(begin(), end(), node) == end()) nodes_[count_++] = node;
     }
   }
   const NodeIndex* begin() const { return nodes_.data(); }

@@ -136,6 +136,7 @@ void putFragments(ByteWriter& writer, const Snapshot& snapshot) {
 }
 
 bool sameBits(const Vec3& a, const Vec3& b) {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits are meant.
   return std::memcmp(a.data(), b.data(), sizeof(Vec3)) == 0;
 }
 
