@@ -20,6 +20,9 @@ constexpr float kStraightReflectance = 0.04F;
 /// Light that has been scattered is cut here, so that no lucky path leaves a bright dot.
 constexpr float kBrightestIndirect = 3.0F;
 
+/// GGX alpha from which on a mirror image shows no highlights of its own.
+constexpr float kBlurring = 0.1F;
+
 /// After so many surfaces that scatter, what comes from more of them is taken for a share of the dome's
 /// light (Studio::ambient).
 constexpr int kMostScatterings = 3;
@@ -94,6 +97,7 @@ struct PathTracer::Path {
   Sees sees = Sees::dome;
   std::uint32_t dimension = kPaths;
   float density = 0.0F;  ///< per steradian, of a mirrored direction for which the environment was asked, too
+  bool blurred = false;  ///< mirrored by a rough surface
 };
 
 PathTracer::Shading PathTracer::shadingAt(const SurfaceHit& hit) const {
@@ -230,6 +234,7 @@ void PathTracer::mirror(const Shading& at, const std::array<float, 2>& random, P
   path.origin = at.point;
   path.direction = mirrored;
   path.sees = Path::Sees::room;
+  path.blurred = path.blurred || at.roughness > kBlurring;
 }
 
 /// With which mirror() sends a path on, per steradian (Heitz 2018, equations 2, 3 and 17). Its share is
@@ -300,8 +305,9 @@ Light PathTracer::followed(Path path, const PixelSampler& sampler) const {
     }
     const Shading at = shadingAt(*hit);
     const float mirrored = at.glaze * fresnel(std::abs(at.normal.dot(path.direction)));
-    // A weak reflection that is seldom chosen would be noise: after scattering it goes with the rest.
-    if (scatterings == 0 && choice < mirrored) {
+    // A weak reflection that is seldom chosen would be noise: after scattering, and in the blurred image that
+    // a rough floor gives of something glazed, it goes with the rest.
+    if (scatterings == 0 && !path.blurred && choice < mirrored) {
       const Vec3f before = path.direction;
       const Light share = path.share;
       mirror(at, sampler.pair(path.dimension + kDirection), path);
