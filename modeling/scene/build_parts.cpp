@@ -77,6 +77,12 @@ std::string remarkOn(const std::string& part, const MeshShape& shape, const Mesh
   if (fit.volumeShare < kMostOfIt)
     words << "; what is thinner than a cell is lost: cells of " << 0.5 * shape.cellSize
           << " cm would hold more";
+  const auto& crossings = fit.crossings;
+  if (crossings.triangles > 0)
+    words << "; the mesh passes through itself (" << crossings.triangles << " of its faces, the first near ("
+          << crossings.first.x() << ", " << crossings.first.y() << ", " << crossings.first.z()
+          << ") cm): what is inside twice is filled once, but counts twice in that share; unite its bodies "
+             "before exporting it";
   return words.str();
 }
 

@@ -381,6 +381,7 @@ sim::Result<Lattice> fillMesh(const sim::TriangleMesh& mesh, double cellSize, Me
     return sim::Problem{"cellSize", "no cell of this size fits into the mesh, which is thinner everywhere",
                         "use smaller cells"};
   }
+  fit.crossings = mesh.crossings();
   Fitter fitter(mesh, cellSize, lattice);
   fitter.run();
   fit.farthest = fitter.farthest();

@@ -40,6 +40,7 @@ struct MeshFit {
   double volumeShare = 0.0;    ///< volume of the cells over that of the mesh
   double farthest = 0.0;       ///< cm: of the lattice's outer nodes from the mesh
   std::size_t addedCells = 0;  ///< where the lattice would have hung together by an edge or a corner only
+  sim::TriangleMesh::Crossings crossings;  ///< of the mesh with itself
 };
 
 /// Cells of a cubic grid of which the mesh holds at least half, with their outer nodes moved onto the mesh

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -34,6 +35,13 @@ class TriangleMesh {
   };
   const Gaps& gaps() const { return gaps_; }
   bool closed() const { return gaps_.count() == 0 && !triangles_.empty(); }
+  /// Where the surface passes through itself. Triangles that have a corner in common, or that lie in one plane,
+  /// do not count. Takes about as long as reading the mesh.
+  struct Crossings {
+    std::size_t triangles = 0;  ///< that another one passes through
+    Vec3 first = Vec3::Zero();  ///< on the first of them
+  };
+  Crossings crossings() const;
   /// Of a closed surface: the shortest way from the middle of a triangle straight in, to where it leaves
   /// again, cm; zero where it is open or inside out. A thousandth of its extent at least.
   double leastThickness() const { return leastThickness_; }
@@ -77,6 +85,7 @@ class TriangleMesh {
   double squaredDistance(const Branch& branch, const Vec3& point) const;
   void measureThickness();
   double wayThrough(std::uint32_t triangle) const;
+  std::optional<Vec3> crossingOf(std::uint32_t triangle) const;
 
   std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;

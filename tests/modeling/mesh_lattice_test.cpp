@@ -73,6 +73,33 @@ TEST_CASE("wherever a mesh is, the surface of its cells is one sheet") {
   }
 }
 
+TEST_CASE("closed bodies stuck into each other are filled as one, and it is told where they cross") {
+  const TriangleMesh box = tests::boxMesh(Vec3(1.0, 1.0, 1.0));
+  std::vector<Vec3> points = box.points();
+  std::vector<TriangleMesh::Triangle> triangles = box.triangles();
+  const auto first = static_cast<std::uint32_t>(points.size());
+  for (const Vec3& point : box.points()) points.emplace_back(0.5 * point + Vec3(1.0, 0.13, 0.09));
+  for (TriangleMesh::Triangle triangle : box.triangles()) {
+    for (std::uint32_t& corner : triangle) corner += first;
+    triangles.push_back(triangle);
+  }
+  const TriangleMesh both(points, triangles);
+  REQUIRE(both.closed());
+  CHECK(box.crossings().triangles == 0);
+  CHECK(tests::ballMesh(2.0, 32).crossings().triangles == 0);
+  const auto crossings = both.crossings();
+  // The two of the larger box's side, and of the smaller's four sides both.
+  CHECK(crossings.triangles == 10);
+  CHECK(crossings.first.x() == Approx(1.0));
+  CHECK(std::max(std::abs(crossings.first.y() - 0.13), std::abs(crossings.first.z() - 0.09)) == Approx(0.5));
+  MeshFit fit;
+  const auto lattice = modeling::fillMesh(both, 0.125, fit);
+  REQUIRE(lattice.ok());
+  CHECK(fit.crossings.triangles == 10);
+  // The half of the smaller that is in the larger counts once.
+  CHECK(modeling::measure(*lattice).volume == Approx(8.0 + 0.5).epsilon(0.02));
+}
+
 TEST_CASE("what is not closed is refused with where, why and what to do") {
   auto triangles = tests::boxMesh(Vec3::Ones()).triangles();
   triangles.pop_back();
