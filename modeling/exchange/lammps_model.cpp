@@ -184,9 +184,8 @@ std::vector<std::string> lammpsDeviations(const LammpsModel& model) {
       "between nodes there is neither contact damping nor friction, and nodes that begin in contact push at "
       "once");
   for (const sim::Collider& collider : model.conditions.environment.colliders) {
-    if (collider.shape != sim::ColliderShape::floor && collider.shape != sim::ColliderShape::sphere)
-      said.push_back("the collider \"" + oneLine(collider.name) +
-                     "\" is left out: only floors and spheres are there");
+    if (collider.shape == sim::ColliderShape::mesh)
+      said.push_back("the collider \"" + oneLine(collider.name) + "\" is left out: it is a mesh");
     else if (collider.activeFrom > model.moment->time || std::isfinite(collider.activeUntil))
       said.push_back("the collider \"" + oneLine(collider.name) + "\" is there all the time");
   }

@@ -176,31 +176,138 @@ void addPush(const std::string& id, const sim::Collider& collider, double step, 
       .line("fix push" + id + " touching" + id + " addforce v_fx" + id + " v_fy" + id + " v_fz" + id);
 }
 
+std::string minus(double value) {
+  return "-(" + number(value) + ")";
+}
+
+/// 1 or -1, as our own colliders take it at 0.
+std::string signOf(const std::string& name) {
+  return "(1-2*(" + name + "<0))";
+}
+
+/// Writes, for each collider, a region with all nodes that may be inside, the height `h` of a node above its
+/// surface, negative inside, and the way out there, `nx`, `ny`, `nz`: sim/contact/collider.cpp in formulas.
+class ColliderFormulas {
+ public:
+  ColliderFormulas(const sim::Collider& collider, std::string id, Script& script)
+      : collider_(collider), id_(std::move(id)), script_(script) {
+    const Vec3& at = collider.position;
+    from_ = {"(x" + minus(at.x()) + ")", "(y" + minus(at.y()) + ")", "(z" + minus(at.z()) + ")"};
+  }
+
+  /// False: a mesh, for which there is no formula.
+  bool add() {
+    switch (collider_.shape) {
+      case sim::ColliderShape::floor:
+        addFloor();
+        return true;
+      case sim::ColliderShape::sphere:
+        addSphere();
+        return true;
+      case sim::ColliderShape::box:
+        addBox();
+        return true;
+      case sim::ColliderShape::cylinder:
+        addCylinder();
+        return true;
+      case sim::ColliderShape::mesh:
+        break;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+
+  std::string v(const std::string& name) const { return "v_" + name + id_; }
+  void variable(const std::string& name, const std::string& formula) {
+    script_.variable(name + id_, formula);
+  }
+  void ballRegion(double radius) {
+    script_.line("region collider" + id_ + " sphere " + spaced(collider_.position) + " " + number(radius) +
+                 " units box");
+  }
+
+  void addFloor() {
+    const Vec3 normal = collider_.rotation * Vec3::UnitZ();
+    for (int axis = 0; axis < 3; ++axis)
+      variable(std::string("n") + kAxes[static_cast<std::size_t>(axis)], number(normal[axis]) + "+0*x");
+    script_.line("region collider" + id_ + " plane " + spaced(collider_.position) + " " + spaced(-normal) +
+                 " units box");
+    variable("h", from_[0] + "*" + v("nx") + "+" + from_[1] + "*" + v("ny") + "+" + from_[2] + "*" + v("nz"));
+  }
+
+  void addSphere() {
+    ballRegion(collider_.radius);
+    variable("r", "sqrt(" + from_[0] + "^2+" + from_[1] + "^2+" + from_[2] + "^2)+1e-200");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      variable(std::string("n") + kAxes[axis], from_[axis] + "/" + v("r"));
+    variable("h", v("r") + "-" + number(collider_.radius));
+  }
+
+  /// Coordinates in the collider's own axes: lx, ly, lz.
+  void addLocal() {
+    const Eigen::Matrix3d turn = collider_.rotation.toRotationMatrix();
+    for (int axis = 0; axis < 3; ++axis) {
+      variable(std::string("l") + kAxes[static_cast<std::size_t>(axis)],
+               number(turn(0, axis)) + "*" + from_[0] + "+" + number(turn(1, axis)) + "*" + from_[1] + "+" +
+                   number(turn(2, axis)) + "*" + from_[2]);
+    }
+  }
+  /// The way out, from what it is in the collider's own axes: ox, oy, oz.
+  void addNormal() {
+    const Eigen::Matrix3d turn = collider_.rotation.toRotationMatrix();
+    for (int axis = 0; axis < 3; ++axis) {
+      variable(std::string("n") + kAxes[static_cast<std::size_t>(axis)],
+               number(turn(axis, 0)) + "*" + v("ox") + "+" + number(turn(axis, 1)) + "*" + v("oy") + "+" +
+                   number(turn(axis, 2)) + "*" + v("oz"));
+    }
+  }
+
+  void addBox() {
+    ballRegion(collider_.halfSize.norm());
+    addLocal();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string name = kAxes[axis];
+      variable("d" + name,
+               "abs(" + v("l" + name) + ")" + minus(collider_.halfSize[static_cast<Eigen::Index>(axis)]));
+    }
+    // Through the nearest side; of equally near ones the first.
+    variable("mx", "(" + v("dx") + ">=" + v("dy") + ")*(" + v("dx") + ">=" + v("dz") + ")");
+    variable("my", "(1-" + v("mx") + ")*(" + v("dy") + ">=" + v("dz") + ")");
+    variable("mz", "1-" + v("mx") + "-" + v("my"));
+    variable("h", v("mx") + "*" + v("dx") + "+" + v("my") + "*" + v("dy") + "+" + v("mz") + "*" + v("dz"));
+    for (const std::string name : kAxes) variable("o" + name, v("m" + name) + "*" + signOf(v("l" + name)));
+    addNormal();
+  }
+
+  void addCylinder() {
+    ballRegion(std::hypot(collider_.radius, collider_.halfHeight));
+    addLocal();
+    variable("r", "sqrt(" + v("lx") + "^2+" + v("ly") + "^2)+1e-200");
+    variable("dr", v("r") + minus(collider_.radius));
+    variable("dz", "abs(" + v("lz") + ")" + minus(collider_.halfHeight));
+    variable("mz", "(" + v("dz") + ">" + v("dr") + ")");
+    variable("mr", "1-" + v("mz"));
+    variable("h", v("mr") + "*" + v("dr") + "+" + v("mz") + "*" + v("dz"));
+    variable("ox", v("mr") + "*" + v("lx") + "/" + v("r"));
+    variable("oy", v("mr") + "*" + v("ly") + "/" + v("r"));
+    variable("oz", v("mz") + "*" + signOf(v("lz")));
+    addNormal();
+  }
+
+  const sim::Collider& collider_;
+  std::string id_;
+  Script& script_;
+  std::array<std::string, 3> from_;  ///< a node's place, seen from the collider's
+};
+
 void addColliders(const LammpsModel& model, Script& script) {
   script.line("compute contact all property/atom d_contact");
   int count = 0;
   for (const sim::Collider& collider : model.conditions.environment.colliders) {
     const std::string id = std::to_string(++count);
-    const Vec3& at = collider.position;
-    const std::string from[] = {"(x-(" + number(at.x()) + "))", "(y-(" + number(at.y()) + "))",
-                                "(z-(" + number(at.z()) + "))"};
-    const char* const names[] = {"nx", "ny", "nz"};
-    if (collider.shape == sim::ColliderShape::floor) {
-      const Vec3 normal = collider.rotation * Vec3::UnitZ();
-      for (int axis = 0; axis < 3; ++axis) script.variable(names[axis] + id, number(normal[axis]) + "+0*x");
-      script.line("region collider" + id + " plane " + spaced(at) + " " + spaced(-normal) + " units box");
-      script.variable("h" + id,
-                      from[0] + "*v_nx" + id + "+" + from[1] + "*v_ny" + id + "+" + from[2] + "*v_nz" + id);
-    } else if (collider.shape == sim::ColliderShape::sphere) {
-      script.line("region collider" + id + " sphere " + spaced(at) + " " + number(collider.radius) +
-                  " units box");
-      script.variable("r" + id, "sqrt(" + from[0] + "^2+" + from[1] + "^2+" + from[2] + "^2)+1e-200");
-      for (int axis = 0; axis < 3; ++axis) script.variable(names[axis] + id, from[axis] + "/v_r" + id);
-      script.variable("h" + id, "v_r" + id + "-" + number(collider.radius));
-    } else {
-      continue;
-    }
-    addPush(id, collider, model.step, script);
+    if (ColliderFormulas(collider, id, script).add()) addPush(id, collider, model.step, script);
   }
 }
 

@@ -22,6 +22,7 @@ struct SlabScene {
   double cellSize = 0.5;
   std::string more = {};
   std::string collider = {};
+  std::string colliders = {};  ///< more of them
   double step = 1e-5;
   double fps = 1000.0;
   double duration = 0.004;
@@ -33,9 +34,9 @@ struct SlabScene {
            R"(, "resolution": {"cellSize": )" + std::to_string(cellSize) +
            R"(}, "worldFromPart": {"position": [0, 0, )" + std::to_string(height) +
            R"(], "rotation": [20, 10, 0]}, "velocity": [0, 0, -200]}], "environment": {"colliders": )" +
-           R"([{"name": "floor", "kind": "floor")" + collider + R"(}]}, "solver": {"step": )" +
-           std::to_string(step) + R"(}, "output": {"fps": )" + std::to_string(fps) + R"(, "duration": )" +
-           std::to_string(duration) + "}}";
+           R"([{"name": "floor", "kind": "floor")" + collider + "}" + colliders +
+           R"(]}, "solver": {"step": )" + std::to_string(step) + R"(}, "output": {"fps": )" +
+           std::to_string(fps) + R"(, "duration": )" + std::to_string(duration) + "}}";
   }
 };
 
@@ -90,6 +91,36 @@ TEST_CASE("LAMMPS moves an undamped lattice as we do, and pushes it off a rough 
   REQUIRE(runs.theirs->frameCount() == runs.ours->frameCount());
   // Four hundred steps of rounding.
   for (std::size_t frame = 1; frame < runs.ours->frameCount(); ++frame) CHECK(runs.apart(frame) < 1e-10);
+}
+
+TEST_CASE("LAMMPS pushes off boxes, cylinders and balls, however they are turned, as we do") {
+  if (!haveLammps()) return;
+  // Under different corners of the slab, all met within the first millisecond.
+  const BothRuns runs(
+      {.more = R"(, "lossFactor": 1e-12)",
+       .colliders =
+           R"(, {"name": "block", "kind": "box", "halfSize": [0.8, 0.5, 0.7], "position": [-1, -1, 0.35],
+                           "rotation": [10, 30, 20], "friction": 0.3},
+                        {"name": "roller", "kind": "cylinder", "radius": 0.6, "halfHeight": 0.9,
+                         "position": [1, 0.9, 0.45], "rotation": [80, 0, 30], "friction": 0.2},
+                        {"name": "ball", "kind": "sphere", "radius": 0.5, "position": [-1, 1, 0.6]})",
+       .height = 1.4},
+      kTwoRanks);
+  REQUIRE(runs.theirs->frameCount() == runs.ours->frameCount());
+  for (std::size_t frame = 1; frame < runs.ours->frameCount(); ++frame) CHECK(runs.apart(frame) < 1e-10);
+  // They do push: without them the slab would be elsewhere.
+  const BothRuns free({.more = R"(, "lossFactor": 1e-12)", .height = 1.4}, kOneRank);
+  const auto start = *runs.ours->frame(0);
+  const auto pushed = *runs.ours->frame(4);
+  const auto unpushed = *free.ours->frame(4);
+  for (const Vec3& collider : {Vec3(-1, -1, 0.35), Vec3(1, 0.9, 0.45), Vec3(-1, 1, 0.6)}) {
+    std::size_t nearest = 0;
+    for (std::size_t node = 0; node < start->positions.size(); ++node) {
+      if ((start->positions[node] - collider).norm() < (start->positions[nearest] - collider).norm())
+        nearest = node;
+    }
+    CHECK((pushed->positions[nearest] - unpushed->positions[nearest]).norm() > 1e-3);
+  }
 }
 
 TEST_CASE("damping of nodes stands for damping of bonds to a thousandth of the way") {
