@@ -92,7 +92,6 @@ class CrackNet {
   void joinGroups(Vertex& vertex, CellIndex cell) const;
 
   void smooth();
-  Vec3 constrained(const Vertex& vertex, const Vec3& wanted) const;
   Vec3 onOutside(const Vertex& vertex) const;
 
   const CellComplex& complex_;

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "sim/base/parallel.h"
 #include "sim/network/crack_net.h"
 
 namespace sim {
@@ -14,6 +15,7 @@ namespace {
 /// straighten steps of up to some four cells.
 constexpr double kStep = 0.6;
 constexpr int kPasses = 48;
+constexpr std::size_t kGrain = 1024;
 
 /// A link between neighbours, with the curve on the outside told apart: its points follow it alone.
 struct Links {
@@ -77,20 +79,38 @@ Eigen::Vector2d nearestShares(const std::array<Vec3, 4>& corners, const Vec3& wa
   return at;
 }
 
-}  // namespace
-
-Vec3 CrackNet::constrained(const Vertex& vertex, const Vec3& wanted) const {
-  Vec3 offset = wanted - vertex.start;
-  if (vertex.outside) {
-    const Vec3 along = vertex.direction.dot(offset) * vertex.direction;
-    offset = vertex.creaseSide != 0xff ? along : Vec3(offset - along);
+/// A vertex that smoothing moves, and how far it may.
+class Mover {
+ public:
+  Mover(const CrackNet::Vertex& of, std::uint32_t place)
+      : vertex(place),
+        start_(of.start),
+        // Without spans it stays: any way is too far.
+        sharesOf_(std::abs(of.spans.determinant()) > 0.0 ? Eigen::Matrix3d(of.spans.inverse() / of.reach)
+                                                         : Eigen::Matrix3d::Constant(kTooFar)),
+        along_(Eigen::Matrix3d::Identity()) {
+    if (!of.outside) return;
+    const Eigen::Matrix3d onto = of.direction * of.direction.transpose();
+    along_ = of.creaseSide != 0xff ? onto : Eigen::Matrix3d(along_ - onto);
   }
-  const double determinant = vertex.spans.determinant();
-  if (!(std::abs(determinant) > 0.0)) return vertex.start;
-  const Vec3 shares = vertex.spans.inverse() * offset;
-  const double most = shares.cwiseAbs().maxCoeff();
-  return vertex.start + (most <= vertex.reach ? 1.0 : vertex.reach / most) * offset;
-}
+
+  Vec3 constrained(const Vec3& wanted) const {
+    const Vec3 offset = along_ * (wanted - start_);
+    const double most = (sharesOf_ * offset).cwiseAbs().maxCoeff();
+    return start_ + (most <= 1.0 ? 1.0 : 1.0 / most) * offset;
+  }
+
+  std::uint32_t vertex;
+
+ private:
+  static constexpr double kTooFar = 1e100;
+
+  Vec3 start_;
+  Eigen::Matrix3d sharesOf_;  ///< of an offset, the shares of the way that it may go along each span
+  Eigen::Matrix3d along_;     ///< onto the outside, or an edge of the body
+};
+
+}  // namespace
 
 /// Where smoothing put it, brought back onto the curved outside.
 Vec3 CrackNet::onOutside(const Vertex& vertex) const {
@@ -125,24 +145,29 @@ Vec3 CrackNet::onOutside(const Vertex& vertex) const {
 
 void CrackNet::smooth() {
   const Links links = linksOf(vertices_, interfaces_);
-  std::vector<Vec3> next(vertices_.size());
-  for (int pass = 0; pass < kPasses; ++pass) {
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const Vertex& vertex = vertices_[i];
-      next[i] = vertex.position;
-      const std::uint32_t count = links.first[i + 1] - links.first[i];
-      if (!mayMove(vertex, count)) continue;
-      Vec3 sum = Vec3::Zero();
-      for (std::uint32_t l = links.first[i]; l < links.first[i + 1]; ++l)
-        sum += vertices_[links.neighbours[l]].position;
-      next[i] = constrained(vertex, vertex.position + kStep * (sum / count - vertex.position));
-    }
-    for (std::size_t i = 0; i < vertices_.size(); ++i) vertices_[i].position = next[i];
+  std::vector<Mover> movers;
+  std::vector<Vec3> now;
+  for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+    now.push_back(vertices_[i].position);
+    if (mayMove(vertices_[i], links.first[i + 1] - links.first[i])) movers.emplace_back(vertices_[i], i);
   }
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    Vertex& vertex = vertices_[i];
-    if (vertex.outside && mayMove(vertex, links.first[i + 1] - links.first[i]))
-      vertex.position = onOutside(vertex);
+  std::vector<Vec3> next = now;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    parallelRanges(movers.size(), kGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end; ++m) {
+        const std::uint32_t i = movers[m].vertex;
+        Vec3 sum = Vec3::Zero();
+        for (std::uint32_t l = links.first[i]; l < links.first[i + 1]; ++l) sum += now[links.neighbours[l]];
+        const double count = links.first[i + 1] - links.first[i];
+        next[i] = movers[m].constrained(now[i] + kStep * (sum / count - now[i]));
+      }
+    });
+    now.swap(next);
+  }
+  for (const Mover& mover : movers) {
+    Vertex& vertex = vertices_[mover.vertex];
+    vertex.position = now[mover.vertex];
+    if (vertex.outside) vertex.position = onOutside(vertex);
   }
 }
 
