@@ -21,6 +21,7 @@ struct ExportOptions {
   std::string out;
   std::string frames = ":";
   sim::LooseNodes looseNodes = sim::LooseNodes::shards;
+  const CLI::Option* looseNodesOption = nullptr;
   bool levelSurface = false;
 };
 
@@ -47,7 +48,11 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
 ExitStatus exportTake(const ExportOptions& options) {
   const auto format = modeling::exportFormatNamed(options.format);
   if (!format) return complain(format.problem());
-  if (options.levelSurface && !format->levelSurface) {
+  if (options.looseNodesOption->count() > 0 && format->surface == modeling::ExportedSurface::none) {
+    return complain(sim::Problem{"--loose-nodes", "the format " + format->name + " has no surface",
+                                 "leave it out, or use --format glb, obj, ply or pc2"});
+  }
+  if (options.levelSurface && format->surface != modeling::ExportedSurface::cellsOrLevel) {
     return complain(sim::Problem{"--level-surface", "the format " + format->name + " cannot have it",
                                  "use --format obj or ply"});
   }
@@ -78,7 +83,7 @@ void addExportCommand(CLI::App& program, ExitStatus& status) {
                    "File; a format of one file a frame numbers them, as in FILE.0012.obj")
       ->required();
   command->add_option("--frames", options->frames, "Frames A:B, counted from 0 (default: all)");
-  addLooseNodes(*command, options->looseNodes);
+  options->looseNodesOption = addLooseNodes(*command, options->looseNodes);
   command->add_flag(
       "--level-surface", options->levelSurface,
       "The surface on which the potential field of the nodes has one value, in place of the cells' "

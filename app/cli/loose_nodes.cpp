@@ -5,13 +5,13 @@
 
 namespace app {
 
-void addLooseNodes(CLI::App& command, sim::LooseNodes& looseNodes) {
+CLI::Option* addLooseNodes(CLI::App& command, sim::LooseNodes& looseNodes) {
   static const std::map<std::string, sim::LooseNodes> kLooseNodes{
       {"shards", sim::LooseNodes::shards},
       {"tetrahedra", sim::LooseNodes::tetrahedra},
       {"spheres", sim::LooseNodes::spheres},
       {"given-to-neighbours", sim::LooseNodes::givenToNeighbours}};
-  command
+  return command
       .add_option(
           "--loose-nodes", looseNodes,
           "How nodes are shown that nothing holds any more: shards that fill what their cells filled, "

@@ -7,6 +7,6 @@
 namespace app {
 
 /// --loose-nodes, of commands that show or write a surface.
-void addLooseNodes(CLI::App& command, sim::LooseNodes& looseNodes);
+CLI::Option* addLooseNodes(CLI::App& command, sim::LooseNodes& looseNodes);
 
 }  // namespace app

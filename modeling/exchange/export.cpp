@@ -9,11 +9,14 @@ namespace modeling {
 
 const std::vector<ExportFormat>& exportFormats() {
   static const std::vector<ExportFormat> kFormats{
-      {"glb", "fragments as rigid pieces that move, for Blender and others (glTF 2.0)", writeGlb},
+      {"glb", "fragments as rigid pieces that move, for Blender and others (glTF 2.0)", writeGlb,
+       ExportedSurface::cells},
       {"xyz", "positions and velocities of all nodes (extended XYZ)", writeXyz},
-      {"obj", "the surface of each frame (Wavefront OBJ)", writeObj, true},
-      {"ply", "the surface of each frame, with damage and fragments (binary PLY)", writePly, true},
-      {"pc2", "the surface with all its breaks from the start, deforming (point cache and OBJ)", writePc2},
+      {"obj", "the surface of each frame (Wavefront OBJ)", writeObj, ExportedSurface::cellsOrLevel},
+      {"ply", "the surface of each frame, with damage and fragments (binary PLY)", writePly,
+       ExportedSurface::cellsOrLevel},
+      {"pc2", "the surface with all its breaks from the start, deforming (point cache and OBJ)", writePc2,
+       ExportedSurface::cells},
       {"vtk", "nodes, bonds and their strain, for ParaView (.vtu and .pvd)", writeVtk},
       {"csv", "tables of fragments, breaks and energies", writeCsv},
       {"lammps", "a run that goes on from the first frame on LAMMPS (data and input)", writeLammps},

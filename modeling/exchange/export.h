@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -24,12 +25,19 @@ struct ExportRequest {
   bool levelSurface = false;  ///< in place of the cells' surface, for formats that can have it
 };
 
+/// What a format has of the surface (sim/network/surface_mesh.h).
+enum class ExportedSurface : std::uint8_t {
+  none,
+  cells,        ///< of the cells, with loose nodes as they are asked for
+  cellsOrLevel  ///< or, in place of it, the level surface of the nodes' potential field
+};
+
 /// A file format that takes can be written in. Every file appears whole or not at all.
 struct ExportFormat {
   std::string name;     ///< as it is asked for, and the usual end of its file names
   std::string summary;  ///< for help
   sim::Status (*write)(const sim::TakeReader& take, const ExportRequest& request);
-  bool levelSurface = false;  ///< it can have the level surface of the nodes' potential field
+  ExportedSurface surface = ExportedSurface::none;
 };
 
 /// All formats, in the order in which help lists them.
@@ -80,11 +88,11 @@ inline constexpr std::size_t kMostFragmentNodes = 500;
 inline constexpr double kKeyTolerance = 5e-5;
 
 /// glTF 2.0, binary (.glb): metres, y up. The fragments of the last frame, split where they will break, from
-/// the first frame on; each a node "fragment_ID" that moves as the rigid motion that fits its nodes best, how
-/// well is told and stands in its `extras`, with id, parent, birth time, mass, part and frames a second.
-/// Materials MATERIAL_outside and MATERIAL_inside, vertex normals. COLOR_0 is white; its alpha, which opaque
-/// materials do not show, is 1 minus the damage of the last frame (damage.h). Keys are left out within
-/// kKeyTolerance.
+/// the first frame on, loose nodes that are given to others left out; each a node "fragment_ID" that moves as
+/// the rigid motion that fits its nodes best, how well is told and stands in its `extras`, with id, parent,
+/// birth time, mass, part and frames a second. Materials MATERIAL_outside and MATERIAL_inside, vertex
+/// normals. COLOR_0 is white; its alpha, which opaque materials do not show, is 1 minus the damage of the
+/// last frame (damage.h). Keys are left out within kKeyTolerance.
 sim::Status writeGlb(const sim::TakeReader& take, const ExportRequest& request);
 
 /// "folder/name.png" and 12 -> "folder/name.0012.png".

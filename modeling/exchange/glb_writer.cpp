@@ -65,12 +65,13 @@ using Slot = std::pair<sim::MaterialIndex, bool>;
 
 class GlbWriter {
  public:
+  /// `mesh`: of motion.split.
   GlbWriter(const sim::TakeReader& take, const Scene& scene, const FragmentMotion& motion,
-            sim::LooseNodes looseNodes)
+            const sim::SurfaceMesh& mesh)
       : take_(take),
         scene_(scene),
         motion_(motion),
-        mesh_(sim::SurfaceBuilder(take.network(), looseNodes).build(motion.split)),
+        mesh_(mesh),
         damage_(damageOfNodes(take.network(), motion.split)),
         skinned_(motion.fragments.size() > kMostFragmentNodes) {
     // Without the scene, or a file that it names, there are none.
@@ -254,7 +255,7 @@ class GlbWriter {
   const sim::TakeReader& take_;
   const Scene& scene_;
   const FragmentMotion& motion_;
-  sim::SurfaceMesh mesh_;
+  const sim::SurfaceMesh& mesh_;
   std::vector<double> damage_;
   bool skinned_;
   std::vector<FaceCoordinates> coordinates_;  ///< one a face; empty: there are none
@@ -265,6 +266,25 @@ class GlbWriter {
   std::set<std::string> extensions_;  ///< that materials use
   std::vector<std::size_t> nodes_;    ///< of the file, one a fragment
 };
+
+/// Leaves out the nodes whose material was given to the fragments beside them.
+void keepDrawn(const sim::SurfaceMesh& mesh, FragmentMotion& motion) {
+  std::set<sim::FragmentId> drawn;
+  for (const auto& face : mesh.faces) drawn.insert(face.fragment);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < motion.fragments.size(); ++i) {
+    if (!drawn.contains(motion.fragments[i].fragment.id)) continue;
+    if (kept != i) {
+      motion.fragments[kept] = std::move(motion.fragments[i]);
+      motion.poses[kept] = std::move(motion.poses[i]);
+      motion.residuals[kept] = motion.residuals[i];
+    }
+    ++kept;
+  }
+  motion.fragments.resize(kept);
+  motion.poses.resize(kept);
+  motion.residuals.resize(kept);
+}
 
 void remarkOnFit(const FragmentMotion& motion, const ExportRequest& request) {
   if (!request.remark) return;
@@ -287,15 +307,17 @@ sim::Status writeGlb(const sim::TakeReader& take, const ExportRequest& request) 
   assert(request.firstFrame <= request.lastFrame && request.lastFrame < take.frameCount());
   const auto scene = sceneOf(take);
   if (!scene) return scene.problem();
-  const auto motion = fragmentMotion(take, request, 0.9);
+  auto motion = fragmentMotion(take, request, 0.9);
   if (!motion) return motion.problem();
+  const sim::SurfaceMesh mesh = sim::SurfaceBuilder(take.network(), request.looseNodes).build(motion->split);
+  if (request.looseNodes == sim::LooseNodes::givenToNeighbours) keepDrawn(mesh, *motion);
   if (motion->fragments.size() > kMostJoints) {
     return sim::Problem{
         request.path.string(),
         "there are more fragments than the " + std::to_string(kMostJoints) + " of a glTF skin",
         "export fewer frames, or another format"};
   }
-  const GltfFile file = GlbWriter(take, *scene, *motion, request.looseNodes).run();
+  const GltfFile file = GlbWriter(take, *scene, *motion, mesh).run();
   if (auto status = file.write(request.path); !status) return status;
   remarkOnFit(*motion, request);
   if (request.progress) request.progress(1.0);

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "modeling/exchange/lammps_model.h"
 
 namespace modeling {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace modeling {
 namespace {
@@ -72,7 +73,7 @@ void performKey(Scene& scene, const TargetName& target, double time, std::varian
     SceneTrack made = newTrack(scene, target);
     track = &scene.tracks.emplace_back(std::move(made));
   }
-  track->keys.push_back({time, value});
+  track->keys.push_back({time, std::move(value)});
 }
 
 std::string addPerformer(Scene& scene, SceneCollider prototype, std::vector<SceneTrackKey> path) {

@@ -35,8 +35,8 @@ class TriangleMesh {
   };
   const Gaps& gaps() const { return gaps_; }
   bool closed() const { return gaps_.count() == 0 && !triangles_.empty(); }
-  /// Where the surface passes through itself. Triangles that have a corner in common, or that lie in one plane,
-  /// do not count. Takes about as long as reading the mesh.
+  /// Where the surface passes through itself. Triangles that have a corner in common, or that lie in one
+  /// plane, do not count. Takes about as long as reading the mesh.
   struct Crossings {
     std::size_t triangles = 0;  ///< that another one passes through
     Vec3 first = Vec3::Zero();  ///< on the first of them

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "sim/network/body_surface.h"
 
 namespace sim {
@@ -164,7 +166,7 @@ LevelSurface levelSurface(const std::vector<FieldSource>& sources, const LevelGr
   if (sources.empty()) return {};
   const Field field(sources, grid);
   NetMaker maker(field);
-  const Eigen::Array3i size = field.size();
+  const Eigen::Array3i& size = field.size();
   for (int k = 0; k + 1 < size[2]; ++k) {
     if (cancelled()) return {};
     for (int j = 0; j + 1 < size[1]; ++j) {

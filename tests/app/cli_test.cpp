@@ -212,6 +212,24 @@ TEST_CASE("a wrong input ends with status 2 and one line that says where and how
   }
 }
 
+TEST_CASE("an export refuses choices that its format cannot show") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "run", "").status == 0);
+  const auto exported = [&](const std::string& format, const std::string& options) {
+    return tests::runCli("export " + folder.file("run.take") + " --frames 0 --format " + format + " --out " +
+                         folder.file("out." + format) + " " + options);
+  };
+  for (const char* format : {"xyz", "vtk", "csv", "lammps"}) {
+    const auto answer = exported(format, "--loose-nodes spheres");
+    CHECK(answer.status == 2);
+    CHECK_THAT(answer.errors, Catch::Contains("--loose-nodes") && Catch::Contains("no surface"));
+  }
+  CHECK(exported("pc2", "--level-surface").status == 2);
+  CHECK(exported("xyz", "").status == 0);
+  for (const char* format : {"glb", "obj", "ply", "pc2"})
+    CHECK(exported(format, "--loose-nodes spheres").status == 0);
+}
+
 TEST_CASE("a problem found while building is told by line and column, too") {
   const PlateFolder folder;
   std::string text = kPlate;

@@ -36,7 +36,7 @@ const std::array<Codec, 6>& codecs() {
        {".mov", kPlayable},
        {".webm", {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-pix_fmt", "yuv420p"}},
        {".gif", {"-filter_complex", kPalette, "-loop", "0"}},
-       {".webp", {"-c:v", "libwebp_anim", "-quality", "80", "-compression_level", "6", "-loop", "0"}},
+       {".webp", {"-c:v", "libwebp_anim", "-quality", "92", "-compression_level", "6", "-loop", "0"}},
        {".apng", {"-f", "apng", "-plays", "0"}}}};
   return kCodecs;
 }
