@@ -27,10 +27,16 @@ def middle_of_most():
         evaluated = thing.evaluated_get(graph)
         corners = [evaluated.matrix_world @ Vector(corner) for corner in evaluated.bound_box]
         points += [(sum(corners, Vector()) / 8, thing.dimensions.length)]
-    weight = sum(size for _, size in points)
-    middle = sum((point * size for point, size in points), Vector()) / weight
-    reach = sorted((point - middle).length + size / 2 for point, size in points if size > 0.02)
-    return middle, reach[int(0.4 * (len(reach) - 1))]
+    # By volumes, which a few large pieces have nearly all of.
+    points = [(point, size, size ** 3) for point, size in points]
+    weight = sum(volume for _, _, volume in points)
+    middle = sum((point * volume for point, _, volume in points), Vector()) / weight
+    passed = 0.0
+    for reach, volume in sorted(((point - middle).length + size / 2, volume) for point, size, volume in points):
+        passed += volume
+        if passed > 0.97 * weight:
+            break
+    return middle, reach
 
 
 def add_light(middle, direction, distance, size, power):
@@ -47,7 +53,7 @@ def add_camera(middle, radius):
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.data.lens = 70
     direction = Vector((0.42, -0.86, 0.28)).normalized()
-    camera.location = middle + direction * radius * 6.4
+    camera.location = middle + direction * radius * 4.9
     camera.rotation_euler = (-direction).to_track_quat("-Z", "Y").to_euler()
     bpy.context.collection.objects.link(camera)
     bpy.context.scene.camera = camera
@@ -70,11 +76,11 @@ bpy.context.object.data.materials.append(ground)
 
 middle, radius = middle_of_most()
 add_camera(middle, radius)
-add_light(middle, (-0.2, -0.62, 0.75), 7 * radius, 1.3 * radius, 640 * radius * radius)
+add_light(middle, (-0.5, -0.7, 0.5), 7 * radius, 1.3 * radius, 640 * radius * radius)
 add_light(middle, (-1.0, -0.1, 0.45), 8 * radius, 3 * radius, 330 * radius * radius)
 world = bpy.data.worlds.new("world")
 world.use_nodes = True
-world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.060, 0.064, 0.072, 1)
+world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.11, 0.117, 0.13, 1)
 scene.world = world
 
 scene.render.engine = "CYCLES"
