@@ -28,8 +28,8 @@ inline constexpr double kBentIn = -0.1;
 /// the nearest that is free, in reach, and at most half as far again, since two corners in one node flatten a
 /// cell; where that would twist a cell, it goes back to its nearest; and where a cell would be twisted even
 /// so, its farthest corner is let go and not glued. A corner may become flat, where three nodes of B are in
-/// line, or bent in a little. A reach of about half the cell size is usual; a much
-/// larger one chooses inner layers that are then let go.
+/// line, or bent in a little. A reach of about half the cell size is usual; a much larger one chooses inner
+/// layers that are then let go.
 
 /// One part as gluing sees it.
 struct GluePart {

@@ -1,6 +1,7 @@
 #include "sim/network/crack_net.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <Eigen/Geometry>
 
@@ -195,10 +196,11 @@ std::uint32_t CrackNet::sideVertex(std::uint32_t face) {
   return entry->second = addVertex(std::move(vertex));
 }
 
-/// The middle of the edge that is left of the side.
+/// The middle of the edge that is left of the side: asked for beside an edge with two ends, it has two nodes.
 std::uint32_t CrackNet::collapsedVertex(std::uint32_t face, const SideNodes& side) {
   const auto other = std::find_if(side.nodes.begin(), side.nodes.end(),
                                   [&](NodeIndex node) { return node != side.nodes[0]; });
+  assert(other != side.nodes.end());
   const Eigen::Matrix3d spans =
       cellSpans(cornerPositions(complex_.network(), face / kCellSides), localMiddle(face));
   return edgeVertex(side.nodes[0], *other, spans);

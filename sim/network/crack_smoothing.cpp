@@ -86,8 +86,9 @@ class Mover {
       : vertex(place),
         start_(of.start),
         // Without spans it stays: any way is too far.
-        sharesOf_(std::abs(of.spans.determinant()) > 0.0 ? Eigen::Matrix3d(of.spans.inverse() / of.reach)
-                                                         : Eigen::Matrix3d::Constant(kTooFar)),
+        sharesOf_(std::abs(of.spans.determinant()) > 0.0
+                      ? Eigen::Matrix3d(of.spans.inverse() / of.reach)
+                      : Eigen::Matrix3d(kTooFar * Eigen::Matrix3d::Identity())),
         along_(Eigen::Matrix3d::Identity()) {
     if (!of.outside) return;
     const Eigen::Matrix3d onto = of.direction * of.direction.transpose();
