@@ -14,9 +14,9 @@ namespace sim {
 
 namespace {
 
-/// Degrees between face normals. A cylinder needs at least ten faces around to be smooth; the rim of a slab
+/// Degrees between face normals. A cylinder needs at least eight faces around to be smooth; the rim of a slab
 /// (90) stays sharp.
-constexpr double kCreaseAngle = 40.0;
+constexpr double kCreaseAngle = 50.0;
 
 constexpr std::size_t kGrain = 512;
 
