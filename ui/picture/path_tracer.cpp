@@ -17,7 +17,8 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kIndex = 1.5F;
 constexpr float kStraightReflectance = 0.04F;
 
-/// Light that has been scattered is cut here, so that no lucky path leaves a bright dot.
+/// Light that has been scattered, or mirrored in a mirror image, is cut here, so that no lucky path leaves a
+/// bright dot.
 constexpr float kBrightestIndirect = 3.0F;
 
 /// GGX alpha from which on a mirror image shows no highlights of its own.
@@ -98,6 +99,7 @@ struct PathTracer::Path {
   std::uint32_t dimension = kPaths;
   float density = 0.0F;  ///< per steradian, of a mirrored direction for which the environment was asked, too
   bool blurred = false;  ///< mirrored by a rough surface
+  bool chosen = false;   ///< mirrored by chance, seldom
 };
 
 PathTracer::Shading PathTracer::shadingAt(const SurfaceHit& hit) const {
@@ -291,7 +293,10 @@ Light PathTracer::followed(Path path, const PixelSampler& sampler) const {
   int scatterings = path.sees == Path::Sees::dome ? 1 : 0;
   for (int surface = 0; surface < kMostSurfaces; ++surface, path.dimension += kSurfaceDimensions) {
     const auto hit = scene_.nearest(path.origin, path.direction, path.time);
-    if (!hit) return light + mirrorShare(path) * path.share * sky(path);
+    if (!hit) {
+      const Light seen = path.share * sky(path);
+      return light + mirrorShare(path) * (path.chosen ? Light(seen.min(kBrightestIndirect)) : seen);
+    }
     path.density = 0.0F;
     float choice = sampler.pair(path.dimension + kChoice)[0];
     if (hit->look == nullptr) {
@@ -305,13 +310,15 @@ Light PathTracer::followed(Path path, const PixelSampler& sampler) const {
     }
     const Shading at = shadingAt(*hit);
     const float mirrored = at.glaze * fresnel(std::abs(at.normal.dot(path.direction)));
-    // A weak reflection that is seldom chosen would be noise: after scattering, and in the blurred image that
-    // a rough floor gives of something glazed, it goes with the rest.
-    if (scatterings == 0 && !path.blurred && choice < mirrored) {
+    // A weak reflection that is seldom chosen would be noise: after scattering, and of or in a rough floor
+    // that takes part in a mirror image, it goes with the rest.
+    const bool isBlur = path.blurred || (path.sees == Path::Sees::room && at.roughness > kBlurring);
+    if (scatterings == 0 && !isBlur && choice < mirrored) {
       const Vec3f before = path.direction;
       const Light share = path.share;
       mirror(at, sampler.pair(path.dimension + kDirection), path);
       path.density = 0.0F;
+      path.chosen = true;
       path.share = share * fresnel(std::abs(at.normal.dot(before))) * at.glaze / mirrored;
       continue;
     }
