@@ -199,8 +199,9 @@ Light PathTracer::shadowed(const SurfaceHit& hit, const Vec3f& direction, float 
     for (const SoftBox& box : studio_.lights) {
       constexpr int kAcross = 4;
       for (int cell = 0; cell < kAcross * kAcross; ++cell) {
+        const int row = cell / kAcross;
         const std::array<float, 2> middle{(static_cast<float>(cell % kAcross) + 0.5F) / kAcross,
-                                          (static_cast<float>(cell / kAcross) + 0.5F) / kAcross};
+                                          (static_cast<float>(row) + 0.5F) / kAcross};
         all += lampOf(box, at, middle).light / (kAcross * kAcross);
       }
     }
