@@ -202,20 +202,20 @@ class ColliderFormulas {
     switch (collider_.shape) {
       case sim::ColliderShape::floor:
         addFloor();
-        return true;
+        break;
       case sim::ColliderShape::sphere:
         addSphere();
-        return true;
+        break;
       case sim::ColliderShape::box:
         addBox();
-        return true;
+        break;
       case sim::ColliderShape::cylinder:
         addCylinder();
-        return true;
-      case sim::ColliderShape::mesh:
         break;
+      case sim::ColliderShape::mesh:
+        return false;
     }
-    return false;
+    return true;
   }
 
  private:
@@ -247,24 +247,19 @@ class ColliderFormulas {
     variable("h", v("r") + "-" + number(collider_.radius));
   }
 
-  /// Coordinates in the collider's own axes: lx, ly, lz.
-  void addLocal() {
-    const Eigen::Matrix3d turn = collider_.rotation.toRotationMatrix();
+  /// A vector of variables, `name` with x, y and z: the matrix times a vector of formulas.
+  void addProduct(const std::string& name, const Eigen::Matrix3d& matrix,
+                  const std::array<std::string, 3>& vector) {
     for (int axis = 0; axis < 3; ++axis) {
-      variable(std::string("l") + kAxes[static_cast<std::size_t>(axis)],
-               number(turn(0, axis)) + "*" + from_[0] + "+" + number(turn(1, axis)) + "*" + from_[1] + "+" +
-                   number(turn(2, axis)) + "*" + from_[2]);
+      variable(name + kAxes[static_cast<std::size_t>(axis)],
+               number(matrix(axis, 0)) + "*" + vector[0] + "+" + number(matrix(axis, 1)) + "*" + vector[1] +
+                   "+" + number(matrix(axis, 2)) + "*" + vector[2]);
     }
   }
+  /// Where a node is in the collider's own axes: lx, ly, lz.
+  void addLocal() { addProduct("l", collider_.rotation.toRotationMatrix().transpose(), from_); }
   /// The way out, from what it is in the collider's own axes: ox, oy, oz.
-  void addNormal() {
-    const Eigen::Matrix3d turn = collider_.rotation.toRotationMatrix();
-    for (int axis = 0; axis < 3; ++axis) {
-      variable(std::string("n") + kAxes[static_cast<std::size_t>(axis)],
-               number(turn(axis, 0)) + "*" + v("ox") + "+" + number(turn(axis, 1)) + "*" + v("oy") + "+" +
-                   number(turn(axis, 2)) + "*" + v("oz"));
-    }
-  }
+  void addNormal() { addProduct("n", collider_.rotation.toRotationMatrix(), {v("ox"), v("oy"), v("oz")}); }
 
   void addBox() {
     ballRegion(collider_.halfSize.norm());

@@ -75,9 +75,8 @@ struct GlueReport {
   double worstDistance = 0.0;      ///< cm, between an a-node and its b-node
   std::size_t nodesTaken =
       0;  ///< in reach, but dropped already by an earlier gluing, and so left as they are
-  std::size_t nodesReleased = 0;  ///< in reach, but let go because a cell would have been twisted
-  double worstScaledJacobian =
-      1.0;  ///< of A's cells with a glued corner that are neither dropped nor misshapen
+  std::size_t nodesReleased = 0;          ///< in reach, but let go because a cell would have been twisted
+  double worstScaledJacobian = 1.0;       ///< of A's cells with a glued corner, misshapen ones left out
   sim::CellIndex worstCell = sim::kNone;  ///< of A, where there is one
 };
 

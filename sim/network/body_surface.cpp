@@ -31,39 +31,43 @@ class BodySurface {
   SurfaceTopology take() { return std::move(topology_); }
 
  private:
+  /// What a face is of.
+  enum class Ground : std::uint8_t { seen, covered, broken };
+
   bool isDropped(NodeIndex node) const { return dropsLoose_ && cuts_.isLoose(node); }
 
   void addOutside(std::uint32_t place) {
     const std::uint32_t face = complex_.outsideFaces()[place];
     const CellIndex cell = face / kCellSides;
-    covered_ = complex_.isCovered(face);
+    const Ground ground = complex_.isCovered(face) ? Ground::covered : Ground::seen;
     const SideNodes nodes = complex_.nodesOf(face);
     const CrackNet::DividedFace* divided = net_.dividedFace(place);
     if (divided != nullptr && divided->cut) {
-      addQuarters(*divided, cell, nodes);
+      addQuarters(*divided, cell, nodes, ground);
     } else if (isDropped(nodes.nodes[0])) {
       // A loose node is a piece of its own: none of the others is in one with it.
       return;
     } else if (divided != nullptr) {
-      addFan(*divided, cell, nodes);
+      addFan(*divided, cell, nodes, ground);
     } else {
       const auto& [a, b, c, d] = nodes.nodes;
-      addFace({pointOf(a), pointOf(b), pointOf(c), pointOf(d)}, cell, a, false);
+      addFace({pointOf(a), pointOf(b), pointOf(c), pointOf(d)}, cell, a, ground);
     }
   }
 
-  void addQuarters(const CrackNet::DividedFace& divided, CellIndex cell, const SideNodes& nodes) {
+  void addQuarters(const CrackNet::DividedFace& divided, CellIndex cell, const SideNodes& nodes,
+                   Ground ground) {
     for (std::size_t c = 0; c < nodes.distinct; ++c) {
       const NodeIndex node = nodes.nodes[c];
       if (isDropped(node)) continue;
       const std::size_t after = nodes.isTriangle() && c == 2 ? 3 : c;
       addFace({pointOf(node), pointOf(divided.middles[after], node), pointOf(divided.centre, node),
                pointOf(divided.middles[(c + 3) % 4], node)},
-              cell, node, false);
+              cell, node, ground);
     }
   }
 
-  void addFan(const CrackNet::DividedFace& divided, CellIndex cell, const SideNodes& nodes) {
+  void addFan(const CrackNet::DividedFace& divided, CellIndex cell, const SideNodes& nodes, Ground ground) {
     std::vector<std::uint32_t> around;
     for (std::size_t c = 0; c < 4; ++c) {
       if (c < nodes.distinct) around.push_back(pointOf(nodes.nodes[c]));
@@ -72,12 +76,11 @@ class BodySurface {
     const std::uint32_t centre = pointOf(divided.centre, nodes.nodes[0]);
     for (std::size_t i = 0; i < around.size(); ++i) {
       const std::uint32_t next = around[(i + 1) % around.size()];
-      addFace({centre, around[i], next, next}, cell, nodes.nodes[0], false);
+      addFace({centre, around[i], next, next}, cell, nodes.nodes[0], ground);
     }
   }
 
   void addInterface(const CrackNet::Interface& interface) {
-    covered_ = false;
     const CellEdge& edge = kCellEdges[interface.edge];
     const CellCorners& corners = complex_.network().cells[interface.cell];
     for (const bool low : {true, false}) {
@@ -86,12 +89,12 @@ class BodySurface {
       std::array<std::uint32_t, 4> points{};
       for (std::size_t c = 0; c < 4; ++c)
         points[low ? c : (4 - c) % 4] = pointOf(interface.vertices[c], node);
-      addFace(points, interface.cell, node, true);
+      addFace(points, interface.cell, node, Ground::broken);
     }
   }
 
   /// Neighbouring points may be equal: of wedges, three make a triangle, and fewer nothing.
-  void addFace(const std::array<std::uint32_t, 4>& around, CellIndex cell, NodeIndex owner, bool inside) {
+  void addFace(const std::array<std::uint32_t, 4>& around, CellIndex cell, NodeIndex owner, Ground ground) {
     std::array<std::uint32_t, 4> points{};
     std::uint8_t count = 0;
     for (std::size_t c = 0; c < 4; ++c) {
@@ -102,8 +105,8 @@ class BodySurface {
     SurfaceMeshFace& face = topology_.faces.emplace_back();
     face.points = points;
     face.cornerCount = count;
-    face.inside = inside;
-    face.covered = covered_;
+    face.inside = ground == Ground::broken;
+    face.covered = ground == Ground::covered;
     face.cell = cell;
     face.material = complex_.materialOf(cell);
     face.part = complex_.partOf(cell);
@@ -199,7 +202,6 @@ class BodySurface {
   const std::vector<float>& damage_;
   CrackNet net_;
   SurfaceTopology topology_;
-  bool covered_ = false;                                                 ///< of the face that is being added
   std::vector<std::array<std::uint32_t, kCellCorners>> pointsOfVertex_;  ///< by group
   std::unordered_map<NodeIndex, std::uint32_t> pointOfNode_;
   std::unordered_map<NodeIndex, std::uint32_t> fitOfNode_;
