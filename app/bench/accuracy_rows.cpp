@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "sim/dynamics/settings.h"
+#include "sim/state/settings.h"
 
 namespace app {
 namespace {

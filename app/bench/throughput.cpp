@@ -12,7 +12,7 @@
 #include "app/bench/plain_loop.h"
 #include "app/bench/timing.h"
 #include "app/bench/triad.h"
-#include "sim/dynamics/bond_layout.h"
+#include "sim/kernel/bond_layout.h"
 
 namespace app {
 namespace {

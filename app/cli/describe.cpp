@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "modeling/exchange/lammps_data.h"
+#include "modeling/import/lammps_data.h"
 #include "modeling/preflight/preflight.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"

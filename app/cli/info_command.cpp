@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/describe.h"
-#include "modeling/scene/json_text.h"
+#include "modeling/text/json_text.h"
 
 namespace app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/network/cell_cuts.h"
+#include "sim/surface/cell_cuts.h"
 
 namespace app {
 

@@ -6,8 +6,8 @@
 
 #include <tbb/info.h>
 
-#include "modeling/scene/json_text.h"
-#include "modeling/scene/text_file.h"
+#include "modeling/text/json_text.h"
+#include "modeling/text/text_file.h"
 
 namespace app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/recorder.h"
-#include "sim/dynamics/settings.h"
+#include "sim/state/settings.h"
 
 /// What simulate and resume have in common.
 namespace app {

@@ -9,7 +9,7 @@
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
 #include "modeling/scene/build.h"
-#include "modeling/scene/text_file.h"
+#include "modeling/text/text_file.h"
 #include "sim/take/take.h"
 
 namespace app {

@@ -13,8 +13,8 @@
 #include "app/cli/progress.h"
 #include "app/cli/sweep_grid.h"
 #include "app/cli/sweep_results.h"
-#include "modeling/exchange/text_output.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/text/text_output.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 
 #include "app/cli/contact_sheet.h"
 #include "app/cli/progress.h"
-#include "modeling/exchange/text_output.h"
+#include "modeling/text/text_output.h"
 #include "sim/take/take.h"
 #include "ui/picture/take_pictures.h"
 

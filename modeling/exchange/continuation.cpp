@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "modeling/scene/build.h"
-#include "modeling/scene/json_text.h"
 #include "modeling/scene/read_obstacles.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/text/json_text.h"
 #include "sim/base/text_hash.h"
 
 namespace modeling {

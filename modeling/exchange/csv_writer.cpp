@@ -6,7 +6,7 @@
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/frame_loop.h"
 #include "modeling/exchange/rigid_fit.h"
-#include "modeling/exchange/text_output.h"
+#include "modeling/text/text_output.h"
 
 namespace modeling {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/snapshot.h"
 
 namespace modeling {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "modeling/scene/spelling.h"
+#include "modeling/text/spelling.h"
 
 namespace modeling {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "sim/take/take.h"
 
 namespace modeling {
@@ -25,7 +25,7 @@ struct ExportRequest {
   bool levelSurface = false;  ///< in place of the cells' surface, for formats that can have it
 };
 
-/// What a format has of the surface (sim/network/surface_mesh.h).
+/// What a format has of the surface (sim/surface/surface_mesh.h).
 enum class ExportedSurface : std::uint8_t {
   none,
   cells,        ///< of the cells, with loose nodes as they are asked for
@@ -51,7 +51,7 @@ sim::Result<ExportFormat> exportFormatNamed(const std::string& name);
 /// states Time (s) and Step (count). The species is the node's material.
 sim::Status writeXyz(const sim::TakeReader& take, const ExportRequest& request);
 
-/// Wavefront OBJ of the surface (sim/network/surface_mesh.h): one file a frame, numbered as numberedPath()
+/// Wavefront OBJ of the surface (sim/surface/surface_mesh.h): one file a frame, numbered as numberedPath()
 /// says, or the path itself for a single frame, and one .mtl for all. cm, z up; a group a fragment; vertex
 /// normals; materials MATERIAL_outside and MATERIAL_inside.
 sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request);

@@ -4,7 +4,7 @@
 
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/rigid_fit.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 
 namespace modeling {
 

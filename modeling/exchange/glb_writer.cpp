@@ -14,7 +14,7 @@
 #include "modeling/exchange/key_reduction.h"
 #include "modeling/exchange/part_parameters.h"
 #include "modeling/exchange/take_scene.h"
-#include "modeling/exchange/text_output.h"
+#include "modeling/text/text_output.h"
 
 namespace modeling {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "modeling/exchange/text_output.h"
+#include "modeling/text/text_output.h"
 #include "sim/base/bytes.h"
 
 namespace modeling {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "modeling/exchange/line_tokens.h"
+#include "modeling/text/line_tokens.h"
 #include "sim/base/result.h"
 
 namespace modeling {

@@ -9,8 +9,8 @@
 #include "modeling/exchange/lammps_dump.h"
 #include "modeling/scene/scene_file.h"
 #include "sim/base/text_hash.h"
-#include "sim/dynamics/bond_layout.h"
 #include "sim/fracture/components.h"
+#include "sim/kernel/bond_layout.h"
 
 namespace modeling {
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "modeling/exchange/text_output.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/text/text_output.h"
 #include "sim/dynamics/stable_step.h"
 
 namespace modeling {

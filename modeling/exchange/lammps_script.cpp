@@ -188,7 +188,7 @@ std::string signOf(const std::string& name) {
 }
 
 /// Writes, for each collider, a region with all nodes that may be inside, the height `h` of a node above its
-/// surface, negative inside, and the way out there, `nx`, `ny`, `nz`: sim/contact/collider.cpp in formulas.
+/// surface, negative inside, and the way out there, `nx`, `ny`, `nz`: sim/collider/collider.cpp in formulas.
 class ColliderFormulas {
  public:
   ColliderFormulas(const sim::Collider& collider, std::string id, Script& script)

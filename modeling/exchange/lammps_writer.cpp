@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "modeling/exchange/lammps_model.h"
-#include "modeling/exchange/text_output.h"
+#include "modeling/text/text_output.h"
 
 namespace modeling {
 

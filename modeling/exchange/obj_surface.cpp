@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "modeling/exchange/text_output.h"
-#include "sim/network/level_surface.h"
+#include "modeling/text/text_output.h"
+#include "sim/surface/level_surface.h"
 
 namespace modeling {
 

@@ -5,7 +5,7 @@
 
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/take_scene.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 
 /// The pieces of Wavefront OBJ files that several formats are made of.
 namespace modeling {

@@ -6,7 +6,7 @@
 
 #include "modeling/scene/scene.h"
 #include "sim/base/result.h"
-#include "sim/network/surface_topology.h"
+#include "sim/surface/surface_topology.h"
 
 namespace modeling {
 

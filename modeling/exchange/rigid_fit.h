@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/snapshot.h"
 
 namespace modeling {
 

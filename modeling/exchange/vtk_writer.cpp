@@ -3,7 +3,7 @@
 #include "modeling/exchange/damage.h"
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/frame_loop.h"
-#include "modeling/exchange/text_output.h"
+#include "modeling/text/text_output.h"
 #include "sim/base/bytes.h"
 
 namespace modeling {

@@ -1,6 +1,6 @@
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/frame_loop.h"
-#include "modeling/exchange/text_output.h"
+#include "modeling/text/text_output.h"
 
 namespace modeling {
 

@@ -7,7 +7,7 @@
 #include "modeling/assembly/assembly.h"
 #include "modeling/scene/build_parts.h"
 #include "modeling/scene/read_obstacles.h"
-#include "modeling/scene/spelling.h"
+#include "modeling/text/spelling.h"
 
 namespace modeling {
 namespace {

@@ -8,8 +8,8 @@
 #include "modeling/scene/scene.h"
 #include "modeling/shapes/quality.h"
 #include "sim/control/track.h"
-#include "sim/dynamics/settings.h"
 #include "sim/network/network.h"
+#include "sim/state/settings.h"
 
 /// From the document to what is simulated.
 namespace modeling {

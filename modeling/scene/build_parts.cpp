@@ -4,11 +4,11 @@
 #include <map>
 #include <sstream>
 
-#include "modeling/exchange/lammps_data.h"
-#include "modeling/exchange/mesh_file.h"
-#include "modeling/scene/spelling.h"
+#include "modeling/import/lammps_data.h"
+#include "modeling/import/mesh_file.h"
 #include "modeling/shapes/quality.h"
 #include "modeling/shapes/resolution.h"
+#include "modeling/text/spelling.h"
 
 namespace modeling {
 namespace {

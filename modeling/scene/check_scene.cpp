@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "modeling/scene/scene.h"
-#include "modeling/scene/spelling.h"
+#include "modeling/text/spelling.h"
 
 namespace modeling {
 namespace {

@@ -13,9 +13,9 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
-#include "modeling/scene/json_document.h"
-#include "modeling/scene/json_fields.h"
-#include "modeling/scene/json_reader.h"
+#include "modeling/text/json_document.h"
+#include "modeling/text/json_fields.h"
+#include "modeling/text/json_reader.h"
 
 /// Values to and from JSON. Codec<T> has
 ///   read(reader, value, out, rule)  false after telling the reader the problem; keys left out leave `out` as

@@ -1,6 +1,6 @@
 #include "modeling/scene/read_obstacles.h"
 
-#include "modeling/exchange/mesh_file.h"
+#include "modeling/import/mesh_file.h"
 
 namespace modeling {
 

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "modeling/scene/scene_codec.h"
-#include "modeling/scene/spelling.h"
-#include "modeling/scene/text_file.h"
+#include "modeling/text/spelling.h"
+#include "modeling/text/text_file.h"
 
 namespace modeling {
 namespace {

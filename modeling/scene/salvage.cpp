@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "modeling/scene/scene_file.h"
-#include "modeling/scene/text_file.h"
+#include "modeling/text/text_file.h"
 
 namespace modeling {
 namespace {

@@ -17,7 +17,7 @@
 #include "modeling/shapes/revolution.h"
 #include "modeling/shapes/slab.h"
 #include "sim/control/track.h"
-#include "sim/dynamics/settings.h"
+#include "sim/state/settings.h"
 
 /// The document: everything an artist edits, undoes and saves. Plain values; what they mean together is
 /// checked by checkScene() and made into a simulation by build().

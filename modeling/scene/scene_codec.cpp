@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "modeling/scene/resources.h"
-#include "modeling/scene/spelling.h"
+#include "modeling/text/spelling.h"
 
 namespace modeling {
 namespace {

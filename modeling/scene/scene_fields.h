@@ -1,7 +1,7 @@
 #pragma once
 
-#include "modeling/scene/json_fields.h"
 #include "modeling/scene/scene.h"
+#include "modeling/text/json_fields.h"
 
 /// The keys of a scene file, struct by struct. What stands here is what is read, written, and in the schema.
 namespace modeling {

@@ -1,9 +1,9 @@
 #include "modeling/scene/scene_file.h"
 
-#include "modeling/scene/json_path.h"
-#include "modeling/scene/json_text.h"
 #include "modeling/scene/scene_codec.h"
-#include "modeling/scene/text_file.h"
+#include "modeling/text/json_path.h"
+#include "modeling/text/json_text.h"
+#include "modeling/text/text_file.h"
 
 namespace modeling {
 namespace {

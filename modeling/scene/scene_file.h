@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "modeling/scene/json_document.h"
 #include "modeling/scene/scene.h"
+#include "modeling/text/json_document.h"
 
 /// Scenes as text (docs/formats.md). Strict: a key that means nothing, a value of the wrong kind or out of
 /// range, a name given to nothing is one Problem "FILE:LINE:COLUMN: what; how to mend it".

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "modeling/scene/json_fields.h"
 #include "modeling/scene/scene.h"
+#include "modeling/text/json_fields.h"
 
 /// The names that choices have in a scene file.
 namespace modeling {

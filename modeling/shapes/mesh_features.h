@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/contact/triangle_mesh.h"
+#include "sim/collider/triangle_mesh.h"
 
 namespace modeling {
 

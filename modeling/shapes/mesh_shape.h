@@ -3,7 +3,7 @@
 #include <string>
 
 #include "modeling/shapes/lattice.h"
-#include "sim/contact/triangle_mesh.h"
+#include "sim/collider/triangle_mesh.h"
 
 namespace modeling {
 

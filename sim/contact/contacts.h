@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "sim/base/bytes.h"
+#include "sim/collider/moving_collider.h"
 #include "sim/contact/fragment_boxes.h"
 #include "sim/contact/hash_grid.h"
-#include "sim/contact/moving_collider.h"
-#include "sim/dynamics/methods/tangent.h"
-#include "sim/dynamics/settings.h"
 #include "sim/fracture/breakage.h"
 #include "sim/fracture/components.h"
+#include "sim/state/settings.h"
+#include "sim/state/tangent.h"
 
 namespace sim {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/dynamics/motion.h"
+#include "sim/state/motion.h"
 
 namespace sim {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/dynamics/motion.h"
+#include "sim/state/motion.h"
 
 namespace sim {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/dynamics/motion.h"
+#include "sim/state/motion.h"
 
 namespace sim {
 

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "sim/base/bytes.h"
-#include "sim/dynamics/activity.h"
-#include "sim/dynamics/bond_kernel.h"
-#include "sim/dynamics/motion.h"
+#include "sim/kernel/bond_kernel.h"
+#include "sim/skipping/activity.h"
+#include "sim/state/motion.h"
 
 namespace sim {
 

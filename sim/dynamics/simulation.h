@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "sim/control/track.h"
-#include "sim/dynamics/settings.h"
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/settings.h"
+#include "sim/state/snapshot.h"
 
 namespace sim {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/dynamics/settings.h"
 #include "sim/network/network.h"
+#include "sim/state/settings.h"
 
 namespace sim {
 

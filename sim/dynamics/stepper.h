@@ -5,13 +5,13 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "sim/dynamics/controls.h"
-#include "sim/dynamics/fragment_states.h"
-#include "sim/dynamics/ledger.h"
+#include "sim/control/controls.h"
 #include "sim/dynamics/methods/one_step_method.h"
 #include "sim/dynamics/reference_frames.h"
 #include "sim/dynamics/simulation.h"
 #include "sim/dynamics/stable_step.h"
+#include "sim/skipping/fragment_states.h"
+#include "sim/state/ledger.h"
 
 namespace sim {
 

@@ -1,4 +1,5 @@
 #include "sim/dynamics/stepper.h"
+#include "sim/kernel/elastic_energy.h"
 
 namespace sim {
 

@@ -1,5 +1,5 @@
 #include "sim/base/parallel.h"
-#include "sim/contact/collider_stop.h"
+#include "sim/collider/collider_stop.h"
 #include "sim/dynamics/stepper.h"
 
 // Nodes do not get through colliders. What springs do not stop, a force does that is just large enough: it is

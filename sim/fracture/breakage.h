@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/snapshot.h"
 
 namespace sim {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/dynamics/bond_layout.h"
-#include "sim/dynamics/snapshot.h"
+#include "sim/kernel/bond_layout.h"
+#include "sim/state/snapshot.h"
 
 namespace sim {
 

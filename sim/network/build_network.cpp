@@ -4,8 +4,8 @@
 #include <limits>
 #include <unordered_map>
 
-#include "sim/fracture/thresholds.h"
 #include "sim/network/network.h"
+#include "sim/network/thresholds.h"
 
 namespace sim {
 namespace {

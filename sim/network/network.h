@@ -115,7 +115,7 @@ struct Blueprint {
 };
 
 /// Sorts, interns classes (constants equal to 1e-12 relative share one), draws thresholds
-/// (sim/fracture/thresholds.h) and checks. A Problem names the first offending node, bond or cell: two bonds
+/// (sim/network/thresholds.h) and checks. A Problem names the first offending node, bond or cell: two bonds
 /// on one pair, an index out of range, a non-positive or non-finite constant.
 Result<Network> buildNetwork(Blueprint blueprint, std::uint64_t seed);
 

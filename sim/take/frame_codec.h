@@ -8,8 +8,8 @@
 
 #include "sim/base/bytes.h"
 #include "sim/base/result.h"
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/snapshot.h"
 
 namespace sim {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/snapshot.h"
 
 namespace sim {
 

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "modeling/exchange/lammps_data.h"
+#include "modeling/import/lammps_data.h"
 #include "modeling/scene/scene_file.h"
 #include "tests/modeling/scene_examples.h"
 #include "tests/support/run_program.h"

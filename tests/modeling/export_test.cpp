@@ -14,7 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "tests/support/grid_network.h"
 #include "tests/support/memory_take.h"
 

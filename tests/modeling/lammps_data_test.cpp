@@ -1,4 +1,4 @@
-#include "modeling/exchange/lammps_data.h"
+#include "modeling/import/lammps_data.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "modeling/exchange/mesh_file.h"
+#include "modeling/import/mesh_file.h"
 
 #include <fstream>
 #include <sstream>

@@ -6,7 +6,7 @@
 
 #include "modeling/exchange/key_reduction.h"
 #include "sim/base/random.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "tests/support/flying_pieces.h"
 
 namespace {

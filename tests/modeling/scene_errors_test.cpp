@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/scene/scene_file.h"
-#include "modeling/scene/spelling.h"
+#include "modeling/text/spelling.h"
 #include "tests/modeling/scene_examples.h"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "modeling/scene/json_text.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/text/json_text.h"
 #include "tests/modeling/scene_examples.h"
 
 namespace {

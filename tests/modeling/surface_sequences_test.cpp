@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/exchange/export.h"
-#include "sim/network/level_surface.h"
+#include "sim/surface/level_surface.h"
 #include "tests/sim/take_sample.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"

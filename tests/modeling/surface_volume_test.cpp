@@ -7,7 +7,7 @@
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "sim/dynamics/simulation.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 
 namespace {
 

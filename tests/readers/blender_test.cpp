@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/exchange/export.h"
-#include "modeling/exchange/mesh_file.h"
+#include "modeling/import/mesh_file.h"
 #include "tests/fuzz/text_cuts.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"

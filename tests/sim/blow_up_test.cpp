@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/dynamics/ledger.h"
+#include "sim/state/ledger.h"
 #include "tests/support/spring_network.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
-#include "sim/contact/collider.h"
+#include "sim/collider/collider.h"
 #include "tests/support/meshes.h"
 #include "tests/support/spring_network.h"
 

@@ -1,4 +1,4 @@
-#include "sim/contact/collider.h"
+#include "sim/collider/collider.h"
 
 #include <cmath>
 

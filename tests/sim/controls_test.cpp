@@ -1,4 +1,4 @@
-#include "sim/dynamics/controls.h"
+#include "sim/control/controls.h"
 
 #include <cmath>
 

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
-#include "sim/dynamics/bond_layout.h"
-#include "sim/dynamics/motion.h"
+#include "sim/kernel/bond_layout.h"
+#include "sim/state/motion.h"
 #include "tests/support/crash.h"
 #include "tests/support/kernels.h"
 #include "tests/support/spring_network.h"

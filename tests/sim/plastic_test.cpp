@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/dynamics/bond_layout.h"
+#include "sim/kernel/bond_layout.h"
 #include "tests/support/spring_network.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/dynamics/rigid_body.h"
+#include "sim/skipping/rigid_body.h"
 #include "tests/support/spring_network.h"
 
 // What is skipped (B4), and that the result stays what it is without.

@@ -9,9 +9,9 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
-#include "sim/network/level_surface.h"
-#include "sim/network/surface_mesh.h"
 #include "sim/network/wedge.h"
+#include "sim/surface/level_surface.h"
+#include "sim/surface/surface_mesh.h"
 #include "tests/support/grid_network.h"
 
 namespace {

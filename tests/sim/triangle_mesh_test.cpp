@@ -1,9 +1,9 @@
-#include "sim/contact/triangle_mesh.h"
+#include "sim/collider/triangle_mesh.h"
 
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
-#include "sim/contact/collider.h"
+#include "sim/collider/collider.h"
 #include "tests/support/meshes.h"
 #include "tests/support/spring_network.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "tests/support/memory_take.h"
 
 namespace tests {

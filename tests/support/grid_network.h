@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/snapshot.h"
 
 /// Networks made by hand, for tests of what stands on networks but not of how they are modelled.
 namespace tests {

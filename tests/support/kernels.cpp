@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "sim/dynamics/bond_kernel.h"
+#include "sim/kernel/bond_kernel.h"
 
 namespace tests {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/contact/triangle_mesh.h"
+#include "sim/collider/triangle_mesh.h"
 
 namespace tests {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 
 namespace tests {
 

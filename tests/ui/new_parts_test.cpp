@@ -4,7 +4,7 @@
 
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "ui/document/part_boxes.h"
 #include "ui/document/scene_edits.h"
 

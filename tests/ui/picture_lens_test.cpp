@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "tests/support/grid_network.h"
 #include "ui/picture/picture.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "modeling/scene/build.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 
 namespace examples {
 namespace {

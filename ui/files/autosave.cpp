@@ -10,7 +10,7 @@
 
 #include "modeling/exchange/take_scene.h"
 #include "modeling/scene/scene_file.h"
-#include "modeling/scene/text_file.h"
+#include "modeling/text/text_file.h"
 
 namespace ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <algorithm>
 
-#include "modeling/scene/text_file.h"
+#include "modeling/text/text_file.h"
 
 namespace ui {
 namespace {

@@ -10,7 +10,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "modeling/exchange/mesh_file.h"
+#include "modeling/import/mesh_file.h"
 #include "ui/panels/dish_picture.h"
 #include "ui/theme/theme.h"
 

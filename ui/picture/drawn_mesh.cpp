@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "sim/base/random.h"
-#include "sim/network/curved_faces.h"
+#include "sim/surface/curved_faces.h"
 
 namespace ui {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "modeling/scene/scene.h"
-#include "sim/contact/collider.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/collider/collider.h"
+#include "sim/surface/surface_mesh.h"
 #include "ui/picture/camera.h"
 #include "ui/picture/environment_map.h"
 #include "ui/picture/image.h"

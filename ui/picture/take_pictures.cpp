@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "modeling/exchange/take_scene.h"
-#include "sim/network/level_surface.h"
+#include "sim/surface/level_surface.h"
 
 namespace ui {
 

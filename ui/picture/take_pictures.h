@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "modeling/scene/scene.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "sim/take/take.h"
 #include "ui/picture/picture.h"
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <exception>
 
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "ui/session/background.h"
 
 namespace ui {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "modeling/scene/build.h"
-#include "sim/dynamics/snapshot.h"
+#include "sim/state/snapshot.h"
 
 namespace ui {
 

@@ -5,7 +5,7 @@
 
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
-#include "modeling/scene/text_file.h"
+#include "modeling/text/text_file.h"
 #include "sim/take/frame_times.h"
 
 namespace ui {

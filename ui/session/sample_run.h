@@ -7,7 +7,7 @@
 
 #include "modeling/material/material.h"
 #include "sim/base/result.h"
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 
 namespace ui {
 

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "modeling/scene/scene.h"
-#include "sim/dynamics/snapshot.h"
 #include "sim/network/network.h"
+#include "sim/state/snapshot.h"
 
 namespace ui {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/contact/collider.h"
+#include "sim/collider/collider.h"
 #include "ui/viewport/draw_data.h"
 
 namespace ui {

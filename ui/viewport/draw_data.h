@@ -7,10 +7,10 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/contact/collider.h"
-#include "sim/dynamics/snapshot.h"
+#include "sim/collider/collider.h"
 #include "sim/network/network.h"
-#include "sim/network/surface_topology.h"
+#include "sim/state/snapshot.h"
+#include "sim/surface/surface_topology.h"
 #include "ui/session/shown.h"
 #include "ui/viewport/view_settings.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "modeling/exchange/take_scene.h"
-#include "sim/network/level_surface.h"
+#include "sim/surface/level_surface.h"
 #include "ui/viewport/draw_colours.h"
 #include "ui/viewport/topology.h"
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "ui/viewport/draw_data.h"
 
 namespace ui {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/network/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 #include "ui/viewport/draw_data.h"
 
 namespace ui {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/dynamics/methods/tangent.h"
-#include "sim/dynamics/motion.h"
-#include "sim/dynamics/settings.h"
+#include "sim/state/motion.h"
+#include "sim/state/settings.h"
+#include "sim/state/tangent.h"
 
 namespace sim {
 

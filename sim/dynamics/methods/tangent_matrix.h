@@ -5,7 +5,7 @@
 
 #include <Eigen/SparseCore>
 
-#include "sim/dynamics/methods/tangent.h"
+#include "sim/state/tangent.h"
 
 namespace sim {
 

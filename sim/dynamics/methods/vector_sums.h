@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/base/parallel.h"
-#include "sim/dynamics/motion.h"
+#include "sim/state/motion.h"
 
 namespace sim {
 

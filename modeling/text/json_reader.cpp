@@ -1,0 +1,151 @@
+#include "modeling/text/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "modeling/text/json_text.h"
+#include "modeling/text/spelling.h"
+
+namespace modeling {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "a number above 0", "a number from 0 to 1"...
+std::string rangeText(const NumberRange& range) {
+  const NumberRange anything;
+  const bool bounded = range.least != anything.least;
+  std::string text = "a number";
+  if (bounded) text += (range.leastExcluded ? " above " : " of at least ") + shortestNumber(range.least);
+  if (range.most != anything.most)
+    text += (bounded ? " and at most " : " of at most ") + shortestNumber(range.most);
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& choices) {
+  std::string text;
+  for (const std::string& choice : choices) text += (text.empty() ? "" : ", ") + choice;
+  return text;
+}
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+std::string_view nameOf(const Rule& rule) {
+  return rule.key.empty() ? "the file" : rule.key;
+}
+
+}  // namespace
+
+bool JsonReader::fail(const TextPosition& position, std::string what, std::string remedy) {
+  if (!problem_) problem_ = sim::Problem{document_.place(position), std::move(what), std::move(remedy)};
+  return false;
+}
+
+bool JsonReader::failKind(const JsonValue& value, const Rule& rule, std::string_view expected) {
+  return fail(value.position, std::string(nameOf(rule)) + " holds " + std::string(value.kindName()),
+              "give " + std::string(expected));
+}
+
+bool JsonReader::failNumber(const JsonValue& value, const Rule& rule, std::string_view expected) {
+  return fail(value.position, std::string(nameOf(rule)) + " holds " + shortestNumber(value.number()),
+              "give " + std::string(expected));
+}
+
+bool JsonReader::failChoice(const JsonValue& value, const Rule& rule,
+                            const std::vector<std::string>& choices) {
+  return fail(value.position, std::string(nameOf(rule)) + " does not know " + inQuotes(*value.text()),
+              didYouMean(*value.text(), choices) + "? There are " + listed(choices));
+}
+
+bool JsonReader::failMissing(const JsonValue& object, std::string_view key) {
+  return fail(object.position, "the key " + inQuotes(key) + " is missing", "add it to this object");
+}
+
+bool JsonReader::readNumber(const JsonValue& value, double& out, const Rule& rule) {
+  if (!value.isNumber()) return failKind(value, rule, rangeText(rule.range));
+  const double number = value.number();
+  const bool tooLow = rule.range.leastExcluded ? number <= rule.range.least : number < rule.range.least;
+  if (tooLow || number > rule.range.most || !std::isfinite(number)) {
+    return failNumber(value, rule, rangeText(rule.range));
+  }
+  out = number;
+  return true;
+}
+
+bool JsonReader::readAngle(const JsonValue& value, double& out, const Rule& rule) {
+  if (value.object() != nullptr) {
+    const JsonValue* radians = value.find("radians");
+    if (radians == nullptr || value.object()->size() != 1)
+      return failKind(value, rule, "an angle in degrees");
+    Rule inRadians = rule;
+    inRadians.range.least *= kRadiansPerDegree;
+    inRadians.range.most *= kRadiansPerDegree;
+    return readNumber(*radians, out, inRadians);
+  }
+  if (!readNumber(value, out, rule)) return false;
+  out *= kRadiansPerDegree;
+  return true;
+}
+
+bool JsonReader::checkList(const JsonValue& value, const Rule& rule, std::size_t least, std::size_t most) {
+  const std::string wanted = least == most ? "a list of " + std::to_string(least) : std::string("a list");
+  if (value.array() == nullptr) return failKind(value, rule, wanted);
+  const std::size_t count = value.array()->size();
+  if (count >= least && count <= most) return true;
+  return fail(value.position, std::string(nameOf(rule)) + " has " + std::to_string(count) + " entries",
+              "give " + wanted);
+}
+
+bool JsonReader::checkObject(const JsonValue& value, const Rule& rule, const std::vector<std::string>& keys) {
+  if (value.object() == nullptr) return failKind(value, rule, "an object");
+  for (const JsonMember& member : *value.object()) {
+    if (std::find(keys.begin(), keys.end(), member.key) != keys.end()) continue;
+    return fail(member.position, "there is no key " + inQuotes(member.key) + " here",
+                didYouMean(member.key, keys));
+  }
+  return true;
+}
+
+Json writeAngle(double radians) {
+  const double degrees = radians / kRadiansPerDegree;
+  double rounded = std::round(degrees * 1e9) / 1e9;  // what a person wrote is most often a round number
+  if (rounded * kRadiansPerDegree == radians) return rounded;
+  for (const double towards :
+       {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}) {
+    rounded = degrees;
+    for (int i = 0; i < 3; ++i) {
+      if (rounded * kRadiansPerDegree == radians) return rounded;
+      rounded = std::nextafter(rounded, towards);
+    }
+  }
+  return {{"radians", radians}};
+}
+
+Json angleSchema(const Rule& rule) {
+  const Json exact = {{"type", "object"},
+                      {"properties", {{"radians", {{"type", "number"}}}}},
+                      {"required", {"radians"}},
+                      {"additionalProperties", false}};
+  return {{"anyOf", {numberSchema("number", rule), exact}}};
+}
+
+Json numberSchema(std::string_view type, const Rule& rule) {
+  Json schema = {{"type", type}};
+  const NumberRange anything;
+  if (rule.range.least != anything.least) {
+    schema[rule.range.leastExcluded ? "exclusiveMinimum" : "minimum"] = rule.range.least;
+  }
+  if (rule.range.most != anything.most) schema["maximum"] = rule.range.most;
+  return schema;
+}
+
+Json objectSchema() {
+  return {{"type", "object"},
+          {"properties", Json::object()},
+          {"required", Json::array()},
+          {"additionalProperties", false}};
+}
+
+}  // namespace modeling

@@ -1,3 +1,0 @@
-#define SMITHEREENS_KERNEL kernel_avx512
-#include "sim/dynamics/bond_kernel_body.h"
-#include "sim/dynamics/bond_kernel_float_body.h"
