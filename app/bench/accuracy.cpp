@@ -8,6 +8,7 @@
 #include "app/bench/accuracy_rows.h"
 #include "app/bench/plotting.h"
 #include "app/bench/throughput.h"
+#include "sim/methods/method_names.h"
 
 namespace app {
 namespace {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim/state/settings.h"
+#include "sim/methods/method_names.h"
 
 namespace app {
 namespace {

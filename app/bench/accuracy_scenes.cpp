@@ -12,7 +12,7 @@
 #include "modeling/scene/build.h"
 #include "modeling/scene/resources.h"
 #include "modeling/scene/scene_file.h"
-#include "sim/dynamics/stable_step.h"
+#include "sim/methods/stable_step.h"
 
 namespace app {
 namespace {

@@ -8,6 +8,7 @@
 #include "modeling/assembly/assembly.h"
 #include "modeling/shapes/slab.h"
 #include "sim/base/random.h"
+#include "sim/methods/method_names.h"
 
 namespace app {
 namespace {

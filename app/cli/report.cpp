@@ -8,6 +8,7 @@
 
 #include "modeling/text/json_text.h"
 #include "modeling/text/text_file.h"
+#include "sim/methods/method_names.h"
 
 namespace app {
 namespace {

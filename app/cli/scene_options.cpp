@@ -1,4 +1,5 @@
 #include "app/cli/scene_options.h"
+#include "sim/methods/method_names.h"
 
 #include <array>
 

@@ -9,7 +9,7 @@
 
 #include "modeling/scene/scene_file.h"
 #include "modeling/text/text_output.h"
-#include "sim/dynamics/stable_step.h"
+#include "sim/methods/stable_step.h"
 
 namespace modeling {
 

@@ -10,6 +10,7 @@
 
 #include "modeling/scene/scene.h"
 #include "modeling/text/json_fields.h"
+#include "sim/methods/method_names.h"
 
 /// The names that choices have in a scene file.
 namespace modeling {

@@ -52,28 +52,6 @@ StepBlocks stepBlocksFor(KernelKind kind) {
   return nullptr;
 }
 
-FloatKernel floatKernelFor(KernelKind kind) {
-  switch (kind) {
-    case KernelKind::automatic:
-      return floatKernelFor(fastestKernel());
-    case KernelKind::plain:
-      return {kernel_plain::displaceBlocks, kernel_plain::stepBlocksInFloat};
-#ifdef SMITHEREENS_X86_KERNELS
-    case KernelKind::avx2:
-      if (hasAvx2()) return {kernel_avx2::displaceBlocks, kernel_avx2::stepBlocksInFloat};
-      break;
-    case KernelKind::avx512:
-      if (hasAvx512()) return {kernel_avx512::displaceBlocks, kernel_avx512::stepBlocksInFloat};
-      break;
-#else
-    case KernelKind::avx2:
-    case KernelKind::avx512:
-      break;
-#endif
-  }
-  return {nullptr, nullptr};
-}
-
 const char* nameOfKernel(KernelKind kind) {
   switch (kind) {
     case KernelKind::automatic:

@@ -39,10 +39,8 @@ struct BondSlot {
   bool gathered : 1;
   bool varied : 1;
   bool plastic : 1;
-  bool damped : 1;    ///< some lane has a damper
-  bool tested : 1;    ///< this end of the bonds tests them for breaking (the other end need not)
-  bool exact : 1;     ///< always evaluated in double: see FloatReference
-  bool straight : 1;  ///< in the reference all its bonds are one vector, FloatConstants::bond
+  bool damped : 1;  ///< some lane has a damper
+  bool tested : 1;  ///< this end of the bonds tests them for breaking (the other end need not)
 };
 static_assert(sizeof(BondSlot) == 16);
 
@@ -52,54 +50,6 @@ struct MaterialNow {
   double dampingScale = 1.0;
   double yieldStrain = 0.0;
   double flow = 0.0;  ///< share of the excess strain that flows in this step, at most 1
-};
-
-/// SlotConstants as the float kernel reads them.
-struct FloatConstants {
-  float stiffness;
-  float restLength;
-  float damping;
-  float bond[3];  ///< e0, cm, of straight slots
-};
-
-/// SlotLanes as the float kernel reads them.
-struct FloatLanes {
-  float stiffness[kBlockNodes];
-  float restLength[kBlockNodes];
-  float damping[kBlockNodes];
-};
-
-/// Where a fragment would be if it were rigid: a node whose reference is X is at rotation (X - centre) +
-/// origin. Row by row.
-struct ReferenceFrame {
-  double rotation[9];
-  double origin[3];
-  double centre[3];
-};
-
-/// What forces in float are computed from. The state is double, and what is handed on is each node's
-/// displacement from its place in the fragment's frame, in the axes of the reference:
-///   u = rotation^T (x - origin) + centre - X.
-/// With e0 = X_j - X_i, du = u_j - u_i and a bond that is at rest in the reference,
-///   num = du . (2 e0 + du), extension = num / (sqrt(L^2 + num) + L),
-/// nothing of which cancels: rounding of u and e0 costs 6e-8 of u and of du, not of the position. Slots whose
-/// bonds are not at rest in the reference, or flow (by less a step than a float resolves), are `exact`.
-///
-/// A step that moves nodes can displace them at once where they arrive, while their positions are in
-/// registers: reading the state once more would cost as much memory traffic as the rest of a step.
-struct FloatReference {
-  const ReferenceFrame* frames;
-  const std::uint32_t* frameOfNode;  ///< padded to whole blocks
-  const std::uint8_t* mixed;         ///< one byte a block: its nodes have several frames
-  const float* position[3];          ///< X, cm
-  const float* remainder[3];         ///< X in double is position + remainder
-  float* displacement[3];            ///< u, cm
-  float* velocity[3];                ///< in the axes of the reference, cm/s
-  float* nextDisplacement[3];        ///< the same of where the step leads, unless null
-  float* nextVelocity[3];
-  const FloatConstants* constants;  ///< by the index of SlotConstants
-  const FloatLanes* lanes;          ///< by the index of SlotLanes
-  bool anyExact;
 };
 
 struct NodeArrays {
@@ -135,7 +85,6 @@ struct KernelStep {
   bool flowing = false;           ///< let rest lengths flow in this pass
   bool accelerationOnly = false;  ///< write a (cm/s^2) to nextVelocity and leave positions alone
   const MaterialNow* materials;
-  const FloatReference* reference;  ///< null: forces in double
 };
 
 /// What a block reports of a step.
@@ -158,35 +107,18 @@ enum class KernelKind { automatic, plain, avx2, avx512 };
 /// is.
 StepBlocks stepBlocksFor(KernelKind kind);
 
-/// Forces in float. First displacements and velocities of all blocks that are stepped, unless the step before
-/// wrote them; then the step.
-struct FloatKernel {
-  void (*displaceBlocks)(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock);
-  StepBlocks stepBlocks;
-};
-/// Null pointers where stepBlocksFor gives null.
-FloatKernel floatKernelFor(KernelKind kind);
 const char* nameOfKernel(KernelKind kind);
 /// What `automatic` stands for here.
 KernelKind fastestKernel();
 
 namespace kernel_plain {
 void stepBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
-void displaceBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock);
-void stepBlocksInFloat(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock,
-                       BlockReport* reports);
 }  // namespace kernel_plain
 namespace kernel_avx2 {
 void stepBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
-void displaceBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock);
-void stepBlocksInFloat(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock,
-                       BlockReport* reports);
 }  // namespace kernel_avx2
 namespace kernel_avx512 {
 void stepBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock, BlockReport* reports);
-void displaceBlocks(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock);
-void stepBlocksInFloat(const KernelStep& step, std::size_t firstBlock, std::size_t lastBlock,
-                       BlockReport* reports);
 }  // namespace kernel_avx512
 
 }  // namespace sim

@@ -1,3 +1,2 @@
 #define SMITHEREENS_KERNEL kernel_avx2
 #include "sim/kernel/bond_kernel_body.h"
-#include "sim/kernel/bond_kernel_float_body.h"

@@ -1,3 +1,2 @@
 #define SMITHEREENS_KERNEL kernel_plain
 #include "sim/kernel/bond_kernel_body.h"
-#include "sim/kernel/bond_kernel_float_body.h"

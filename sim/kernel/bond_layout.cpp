@@ -17,11 +17,6 @@ namespace {
 /// Directions shared by fewer lanes of a block than this are gathered: a contiguous slot costs about as much
 /// as a gathered one of the same number of lanes, but gathered slots pack several directions together.
 constexpr std::size_t kFewestContiguous = 4;
-/// A bond is at rest in the network's positions when its strain there is less: a hundredth of what a force in
-/// float may be wrong by where bonds break at 1e-3.
-constexpr double kAtRest = 1e-10;
-/// Bonds are one vector when they differ by less of their length: what a float resolves, nearly.
-constexpr double kStraight = 1e-8;
 /// A slot with breakRatio 1 is suspect when stretched at all: thresholds this small are tested exactly.
 float breakRatioOf(float threshold) {
   const double ratio = 1.0 / (1.0 + (1.0 - 1e-6) * static_cast<double>(threshold));
@@ -57,34 +52,11 @@ struct LowerRows {
   }
 };
 
-/// What uniform slots with one record of constants have in common.
-struct Uniform {
-  std::uint32_t bondClass;
-  std::array<float, 3> bond;  ///< FloatConstants::bond
-
-  bool operator==(const Uniform&) const = default;
-  struct Hash {
-    std::size_t operator()(const Uniform& uniform) const { return XXH3_64bits(&uniform, sizeof uniform); }
-  };
-};
-static_assert(sizeof(Uniform) == 16);
-
-FloatLanes inFloat(const SlotLanes& lanes) {
-  FloatLanes floats{};
-  for (std::size_t lane = 0; lane < kBlockNodes; ++lane) {
-    floats.stiffness[lane] = static_cast<float>(lanes.stiffness[lane]);
-    floats.restLength[lane] = static_cast<float>(lanes.restLength[lane]);
-    floats.damping[lane] = static_cast<float>(lanes.damping[lane]);
-  }
-  return floats;
-}
-
 }  // namespace
 
 class BondLayout::Builder {
  public:
-  Builder(const Network& network, const Spared& spared, Precision precision, BondLayout& layout)
-      : network_(network), spared_(spared), precision_(precision), layout_(layout), lower_(network) {}
+  Builder(const Network& network, BondLayout& layout) : network_(network), layout_(layout), lower_(network) {}
 
   void addBlock(std::size_t block) {
     collect(block);
@@ -159,9 +131,6 @@ class BondLayout::Builder {
     slot.material = run.front().material;
     slot.gathered = gathered;
     slot.plastic = std::isfinite(material.yieldStrain) && material.flowRate > 0.0;
-    slot.exact = slot.plastic ||
-                 !std::all_of(run.begin(), run.end(), [&](const HalfBond& half) { return isAtRest(half); });
-    layout_.hasExact_ = layout_.hasExact_ || slot.exact;
     slot.varied = slot.plastic || std::any_of(run.begin(), run.end(), [&](const HalfBond& half) {
                     return network_.bondClasses[half.bond] != network_.bondClasses[run.front().bond];
                   });
@@ -172,56 +141,22 @@ class BondLayout::Builder {
       threshold = std::min(threshold, network_.thresholds[half.bond]);
     }
     slot.breakRatio = breakRatioOf(threshold);
-    const bool breakable = std::isfinite(threshold) || !spared_.thresholds;
+    const bool breakable = std::isfinite(threshold);
     slot.tested = breakable && (gathered || slot.where > 0);
-    slot.damped = slot.damped || !spared_.damping;
     if (!breakable) layout_.untestedEnds_ += run.size();
     if (!slot.damped) layout_.undampedEnds_ += run.size();
-    slot.straight =
-        precision_ == Precision::float32 && !gathered && !slot.varied && !slot.exact && isStraight(run);
-    slot.constants = slot.varied ? addLanes(run, slot.plastic) : constantsOf(run.front(), slot.straight);
+    slot.constants = slot.varied ? addLanes(run, slot.plastic) : constantsOf(run.front());
     if (gathered) slot.where = addGather(run, block);
     layout_.hasPlastic_ = layout_.hasPlastic_ || slot.plastic;
     layout_.slots_.push_back(slot);
   }
 
-  /// From the node that gathers it to its neighbour.
-  Vec3 vectorOf(const HalfBond& half) const {
-    const Vec3 bond =
-        network_.positions[network_.bondEnds[half.bond]] - network_.positions[network_.bondStart(half.bond)];
-    return half.offset > 0 ? bond : Vec3(-bond);
-  }
-
-  bool isAtRest(const HalfBond& half) const {
-    const double restLength = network_.bond(half.bond).restLength;
-    return std::abs(vectorOf(half).norm() - restLength) < kAtRest * restLength;
-  }
-
-  bool isStraight(std::span<const HalfBond> run) const {
-    const Vec3 bond = vectorOf(run.front());
-    return std::all_of(run.begin(), run.end(), [&](const HalfBond& half) {
-      return (vectorOf(half) - bond).norm() < kStraight * network_.bond(half.bond).restLength;
-    });
-  }
-
-  std::uint32_t constantsOf(const HalfBond& half, bool straight) {
-    Uniform uniform{network_.bondClasses[half.bond], {}};
-    if (straight) {
-      const Vec3 bond = vectorOf(half);
-      for (std::size_t k = 0; k < 3; ++k)
-        uniform.bond[k] = static_cast<float>(bond[static_cast<Eigen::Index>(k)]);
-    }
+  std::uint32_t constantsOf(const HalfBond& half) {
     const auto fresh = static_cast<std::uint32_t>(layout_.constants_.size());
-    const auto [entry, isNew] = placeOfUniform_.try_emplace(uniform, fresh);
+    const auto [entry, isNew] = placeOfClass_.try_emplace(network_.bondClasses[half.bond], fresh);
     if (!isNew) return entry->second;
     const BondClass& common = network_.bond(half.bond);
     layout_.constants_.push_back({common.stiffness, common.restLength, common.damping});
-    if (precision_ == Precision::float32) {
-      layout_.floatConstants_.push_back({static_cast<float>(common.stiffness),
-                                         static_cast<float>(common.restLength),
-                                         static_cast<float>(common.damping),
-                                         {uniform.bond[0], uniform.bond[1], uniform.bond[2]}});
-    }
     return fresh;
   }
 
@@ -261,27 +196,22 @@ class BondLayout::Builder {
   }
 
   const Network& network_;
-  const Spared spared_;
-  const Precision precision_;
   BondLayout& layout_;
   LowerRows lower_;
-  std::unordered_map<Uniform, std::uint32_t, Uniform::Hash> placeOfUniform_;  ///< in constants_
+  std::unordered_map<std::uint32_t, std::uint32_t> placeOfClass_;  ///< in constants_
   std::unordered_map<XXH64_hash_t, std::uint32_t> placeOfLanes_;
   std::vector<HalfBond> halves_;
   std::vector<HalfBond> rest_;
 };
 
-BondLayout::BondLayout(const Network& network, const Spared& spared, Precision precision) {
+BondLayout::BondLayout(const Network& network) {
   assert(network.materials.size() <= 256);
   const std::size_t blocks = (network.nodeCount() + kBlockNodes - 1) / kBlockNodes;
-  Builder builder(network, spared, precision, *this);
+  Builder builder(network, *this);
   for (std::size_t block = 0; block < blocks; ++block) builder.addBlock(block);
   slots_.shrink_to_fit();
   lanes_.shrink_to_fit();
   gathers_.shrink_to_fit();
-  if (precision == Precision::float64) return;
-  floatLanes_.reserve(lanes_.size());
-  for (const SlotLanes& lanes : lanes_) floatLanes_.push_back(inFloat(lanes));
 }
 
 BondLayout::Place BondLayout::find(NodeIndex node, NodeIndex neighbour) const {
@@ -354,8 +284,7 @@ std::size_t BondLayout::memoryBytes() const {
   return slots_.capacity() * sizeof(BondSlot) +
          (firstSlot_.capacity() + gathers_.capacity()) * sizeof(std::uint32_t) +
          slotCount_.capacity() * sizeof(std::uint16_t) + lanes_.capacity() * sizeof(SlotLanes) +
-         floatLanes_.capacity() * sizeof(FloatLanes) + constants_.capacity() * sizeof(SlotConstants) +
-         floatConstants_.capacity() * sizeof(FloatConstants);
+         constants_.capacity() * sizeof(SlotConstants);
 }
 
 }  // namespace sim

@@ -5,7 +5,6 @@
 #include "sim/base/aligned.h"
 #include "sim/kernel/bond_kernel.h"
 #include "sim/network/network.h"
-#include "sim/state/settings.h"
 
 namespace sim {
 
@@ -15,16 +14,11 @@ namespace sim {
 /// what broke and not on when it was built.
 class BondLayout {
  public:
-  /// What the kernel need not do: test bonds that cannot break, and push dampers of no strength.
-  struct Spared {
-    bool thresholds = true;
-    bool damping = true;
-  };
-  BondLayout(const Network& network, const Spared& spared, Precision precision = Precision::float64);
-  explicit BondLayout(const Network& network) : BondLayout(network, Spared{}) {}
+  explicit BondLayout(const Network& network);
 
   std::size_t blockCount() const { return firstSlot_.size(); }
-  /// Bonds of the whole network that are not tested for breaking, or have no damper evaluated.
+  /// Bonds of the whole network that the kernel need not test, since they cannot break, or whose dampers have
+  /// no strength.
   std::uint64_t untestedBonds() const { return untestedEnds_ / 2; }
   std::uint64_t undampedBonds() const { return undampedEnds_ / 2; }
 
@@ -55,11 +49,6 @@ class BondLayout {
   void setPlasticRestLengths(std::span<const double> lengths);
   bool hasPlastic() const { return hasPlastic_; }
 
-  /// For forces in float.
-  const FloatConstants* floatConstants() const { return floatConstants_.data(); }
-  const FloatLanes* floatLanes() const { return floatLanes_.data(); }
-  bool hasExact() const { return hasExact_; }
-
   std::size_t memoryBytes() const;
 
  private:
@@ -77,14 +66,10 @@ class BondLayout {
   mutable AlignedVector<BondSlot> slots_;
   std::vector<std::uint32_t> firstSlot_;
   std::vector<std::uint16_t> slotCount_;
-  std::vector<SlotConstants>
-      constants_;  ///< of uniform slots: a class, or where forces are float, a class and a direction
+  std::vector<SlotConstants> constants_;  ///< of uniform slots, one a class
   mutable AlignedVector<SlotLanes> lanes_;
   std::vector<std::uint32_t> gathers_;
-  std::vector<FloatConstants> floatConstants_;  ///< as constants_; empty where forces are double
-  AlignedVector<FloatLanes> floatLanes_;        ///< as lanes_, likewise
   bool hasPlastic_ = false;
-  bool hasExact_ = false;
   std::uint64_t untestedEnds_ = 0;  ///< bonds seen from either end
   std::uint64_t undampedEnds_ = 0;
 };

@@ -17,17 +17,7 @@ enum class Method {
   implicitEuler,
   implicitMidpoint
 };
-
-/// "forward-euler", "symplectic-euler", "velocity-verlet", "rk4", "implicit-euler",
-/// "implicit-midpoint"; nothing for any other name.
-std::optional<Method> methodFromName(std::string_view name);
-std::string_view nameOf(Method method);
-/// Of the leapfrog family: one force a step, velocities kicked, positions drifted.
-bool isLeapfrog(Method method);
-/// Stable with any step.
-bool isImplicit(Method method);
-/// All names, for messages and help.
-const std::vector<std::string>& methodNames();
+inline constexpr std::size_t kMethods = 6;
 
 /// What forces of bonds are computed in; the state is double (docs/numerics.md, "Precision").
 enum class Precision { float64, float32 };

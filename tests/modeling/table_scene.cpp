@@ -4,6 +4,7 @@
 
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
+#include "sim/methods/method_names.h"
 
 namespace tests {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "sim/state/ledger.h"
 #include "tests/support/spring_network.h"
+#include "sim/methods/method_names.h"
 
 namespace {
 

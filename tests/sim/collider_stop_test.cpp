@@ -183,7 +183,6 @@ tests::Block fallingBlock(double speed) {
 
 TEST_CASE("a soft block at 100 m/s does not get through a thin plate, and all it loses is accounted for") {
   const bool breaks = GENERATE(false, true);
-  const auto precision = GENERATE(sim::Precision::float64, sim::Precision::float32);
   tests::Block block = fallingBlock(10000.0);
   if (breaks) block.material.thresholdMean = 0.2;
   Collider box;
@@ -194,7 +193,6 @@ TEST_CASE("a soft block at 100 m/s does not get through a thin plate, and all it
     std::array<std::uint64_t, 2> hashes{};
     for (const int threads : {1, 2}) {
       sim::Settings settings = tests::losslessSettings();
-      settings.precision = precision;
       settings.threads = threads;
       const auto fall = tests::simulation(tests::block(block), settings, only(plate));
       const double kinetic = fall->snapshot().ledger.energy.kinetic;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
-#include "sim/contact/contacts.h"
+#include "sim/contact/contact_forces.h"
 #include "tests/support/spring_network.h"
 
 namespace {
@@ -218,15 +218,14 @@ TEST_CASE("lists of neighbours find every pair that touches, however nodes move 
   BruteForce truth(network, settings);
   sim::Motion motion{sim::NodeVectors(count), sim::NodeVectors(count)};
   for (std::size_t n = 0; n < count; ++n) motion.position.set(n, network.positions[n]);
-  sim::Contacts::Forces forces;
-  forces.touched.assign(layout.blockCount(), 0);
+  sim::ContactForces forces(layout.blockCount());
   const std::vector<sim::MaterialNow> materials(1);
   std::size_t pushing = 0;
   constexpr double kStep = 1e-3;
   constexpr int kSteps = 300;
   for (int step = 0; step < kSteps; ++step) {
-    if (contacts.stale()) contacts.rebuild(motion, components, breakage, {});
-    contacts.computeForces({motion, {}, materials, kStep, 0.0}, forces);
+    if (contacts.age().stale()) contacts.rebuild(motion, components, breakage, {});
+    sim::findContactForces(contacts, {motion, {}, materials, kStep, 0.0}, forces);
     contacts.settle(motion);
     const std::vector<Vec3> expected = truth.forces(motion, components);
     double travel = 0.0;
@@ -247,7 +246,7 @@ TEST_CASE("lists of neighbours find every pair that touches, however nodes move 
       motion.velocity.set(n, velocity);
       motion.position.add(n, kStep * velocity);
     }
-    contacts.age(motion, travel);
+    contacts.ageByStep(motion, travel);
   }
   CHECK(pushing > 3000);
   // The lists are kept for a while, or this would show nothing.

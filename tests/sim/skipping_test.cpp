@@ -4,10 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "sim/skipping/rigid_body.h"
+#include "sim/fragments/rigid_body.h"
 #include "tests/support/spring_network.h"
 
-// What is skipped (B4), and that the result stays what it is without.
+// What is skipped, and that the result stays what it is without.
 
 namespace {
 
@@ -311,7 +311,6 @@ TEST_CASE("when frames are asked for does not show in what sleeps or flies") {
 TEST_CASE("a run that sleeps or flies resumes bit for bit, on any number of threads") {
   const double cut = GENERATE(0.02, 0.3, 1.0);
   sim::Settings settings = withSkips(true);
-  settings.precision = GENERATE(sim::Precision::float64, sim::Precision::float32);
   const auto whole = tests::simulation(tests::twoBlocks(cube(3.0), 0.3, 20.0), settings, dampedFloor());
   tests::run(*whole, cut);
   const auto checkpoint = whole->checkpoint();

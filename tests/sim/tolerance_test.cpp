@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/crash.h"
+#include "sim/methods/method_names.h"
 
 /// The step that keeps to a tolerance of strain, relative to the largest there was, a shortest swing.
 namespace {

@@ -44,7 +44,6 @@ std::unique_ptr<sim::Simulation> crash(const CrashOptions& options) {
   settings.seed = options.seed;
   settings.method = options.method;
   settings.tolerance = options.tolerance;
-  settings.precision = options.precision;
   const std::vector<sim::Track> tracks = {
       track(sim::TrackTarget::gravityScale, sim::kNone, sim::Interpolation::smooth,
             {{0.0, sim::Vec3::UnitX()}, {0.002, 50.0 * sim::Vec3::UnitX()}}),

@@ -11,7 +11,6 @@ struct CrashOptions {
   std::uint64_t seed = 1;
   sim::Method method = sim::Settings{}.method;
   std::optional<double> tolerance = {};
-  sim::Precision precision = sim::Settings{}.precision;
   bool onSheet = false;  ///< it falls on a thin sheet of triangles instead of a floor
 };
 
