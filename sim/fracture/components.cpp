@@ -192,29 +192,6 @@ bool Components::relabel(const BondLayout& layout, std::span<const BreakEvent> e
   return born;
 }
 
-void Components::labelAgain(const BondLayout& layout) {
-  ++relabelings_;
-  std::vector<std::uint8_t> seen(fragmentOfNode_.size(), 0);
-  std::vector<NodeIndex> open;
-  for (NodeIndex start = 0; start < fragmentOfNode_.size(); ++start) {
-    if (seen[start] != 0) continue;
-    const FragmentId id = fragmentOfNode_[start];
-    seen[start] = 1;
-    open.assign(1, start);
-    while (!open.empty()) {
-      const NodeIndex node = open.back();
-      open.pop_back();
-      assert(fragmentOfNode_[node] == id);
-      fragmentOfNode_[node] = id;
-      layout.forEachNeighbour(node, [&](NodeIndex neighbour) {
-        if (seen[neighbour] != 0) return;
-        seen[neighbour] = 1;
-        open.push_back(neighbour);
-      });
-    }
-  }
-}
-
 void Components::restore(std::vector<FragmentId> fragmentOfNode, std::vector<FragmentBirth> births,
                          std::uint64_t relabelings) {
   assert(fragmentOfNode.size() == fragmentOfNode_.size());

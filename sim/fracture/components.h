@@ -29,10 +29,6 @@ class Components {
   /// After the bonds of `events` were taken out of the layout. True when a new fragment was born.
   bool relabel(const BondLayout& layout, std::span<const BreakEvent> events, double time);
 
-  /// Labels the whole network once more: what relabel() would have found had it looked everywhere. Nothing
-  /// changes but the time it takes.
-  void labelAgain(const BondLayout& layout);
-
   FragmentId of(NodeIndex node) const { return fragmentOfNode_[node]; }
   const std::vector<FragmentId>& fragmentOfNode() const { return fragmentOfNode_; }
   /// Every fragment ever born, by id; one that gave all its nodes away cannot be, since the rest keeps the

@@ -87,12 +87,8 @@ class CrackNet {
   std::uint32_t collapsedVertex(std::uint32_t face, const SideNodes& side);
   std::uint32_t cellVertex(CellIndex cell);
   std::uint32_t addVertex(Vertex vertex);
-  void placeOnOutside(Vertex& vertex, const Vec3& normal) const;
   void placeOnEdge(Vertex& vertex, std::span<const CellComplex::OutsideEdge> edges) const;
   void joinGroups(Vertex& vertex, CellIndex cell) const;
-
-  void smooth();
-  Vec3 onOutside(const Vertex& vertex) const;
 
   const CellComplex& complex_;
   const WholeOutside& whole_;

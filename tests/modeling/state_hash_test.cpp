@@ -1,5 +1,5 @@
-// That what the program computes has not changed, to the bit: the states of the gallery's scenes as they were when the
-// list was written. A change that means to change the motion writes the list anew, and says so.
+// That what the program computes has not changed, to the bit: the states of the gallery's scenes as they were
+// when the list was written. A change that means to change the motion writes the list anew, and says so.
 
 #include <filesystem>
 #include <fstream>

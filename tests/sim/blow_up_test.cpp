@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/methods/method_names.h"
 #include "sim/state/ledger.h"
 #include "tests/support/spring_network.h"
-#include "sim/methods/method_names.h"
 
 namespace {
 

@@ -7,11 +7,11 @@
 
 #include "sim/base/random.h"
 #include "sim/kernel/bond_layout.h"
+#include "sim/methods/method_names.h"
 #include "sim/state/motion.h"
 #include "tests/support/crash.h"
 #include "tests/support/kernels.h"
 #include "tests/support/spring_network.h"
-#include "sim/methods/method_names.h"
 
 namespace {
 

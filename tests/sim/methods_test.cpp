@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/crash.h"
 #include "sim/methods/method_names.h"
+#include "tests/support/crash.h"
 
 /// The methods beside the leapfrog family: what they are exact to, and that breaks end their steps.
 namespace {

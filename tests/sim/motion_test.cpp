@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
+#include "sim/methods/method_names.h"
 #include "tests/support/kernels.h"
 #include "tests/support/spring_network.h"
-#include "sim/methods/method_names.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
-#include "tests/support/spring_network.h"
 #include "sim/methods/method_names.h"
+#include "tests/support/spring_network.h"
 
 namespace {
 

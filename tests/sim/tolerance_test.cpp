@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/crash.h"
 #include "sim/methods/method_names.h"
+#include "tests/support/crash.h"
 
 /// The step that keeps to a tolerance of strain, relative to the largest there was, a shortest swing.
 namespace {
