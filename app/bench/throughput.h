@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/results/json.h"
 #include "sim/base/result.h"
 
 namespace app {
@@ -14,8 +15,9 @@ namespace app {
 sim::Status benchThroughput(const std::vector<int>& threads,
                             const std::optional<std::filesystem::path>& folder);
 
-/// `bench scaling`: time a step against the number of nodes, for a solid slab and for loose cubes in contact
-/// (P12: linear). Prints a table; with a folder, writes scaling.json there.
+/// `bench scaling`: time a step against the number of nodes, for a solid slab and for loose cubes in contact.
+/// It should grow as the number does (paper, "Collision detection"). Prints a table; with a folder, writes
+/// scaling.json there.
 sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>& folder);
 
 /// `bench skip`: scenes with and without each thing that may be left out (sim::SkipSettings), seconds and
@@ -23,7 +25,8 @@ sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>
 /// takes minutes.
 sim::Status benchSkip(int threads, bool quick, const std::optional<std::filesystem::path>& folder);
 
-/// Writes a JSON text into folder/name, making the folder.
-sim::Status writeResult(const std::filesystem::path& folder, const char* name, const std::string& text);
+/// Writes the rows into folder/name, making the folder. Without a folder nothing is written.
+sim::Status writeRows(const std::optional<std::filesystem::path>& folder, const char* name,
+                      const Json::Array& rows);
 
 }  // namespace app
