@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/surface/crack_smoothing.h"
+
 namespace sim {
 
 namespace {
@@ -85,7 +87,7 @@ CrackNet::CrackNet(const CellComplex& complex, const WholeOutside& whole, const 
     addCutSides(cell);
   }
   addFans();
-  smooth();
+  smoothCracks(complex_, whole_, interfaces_, vertices_);
 }
 
 void CrackNet::addInterfaces(CellIndex cell) {

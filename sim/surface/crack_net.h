@@ -23,8 +23,8 @@ struct WholeOutside {
 
 /// The surfaces in which the pieces of one body meet, at rest: spanned between the middles of edges, of sides
 /// and of cells, and smoothed, so that a crack does not show the staircase of the cells (the paper's own
-/// complaint, section "Results"). Both sides of a crack have the very same points, so that pieces fit each
-/// other exactly, whatever smoothing does.
+/// complaint, section "Breakage appearance"). Both sides of a crack have the very same points, so that pieces
+/// fit each other exactly, whatever smoothing does.
 ///
 /// A collapsed side of a wedge meets in the middle of the edge that is left of it.
 ///
@@ -87,12 +87,8 @@ class CrackNet {
   std::uint32_t collapsedVertex(std::uint32_t face, const SideNodes& side);
   std::uint32_t cellVertex(CellIndex cell);
   std::uint32_t addVertex(Vertex vertex);
-  void placeOnOutside(Vertex& vertex, const Vec3& normal) const;
   void placeOnEdge(Vertex& vertex, std::span<const CellComplex::OutsideEdge> edges) const;
   void joinGroups(Vertex& vertex, CellIndex cell) const;
-
-  void smooth();
-  Vec3 onOutside(const Vertex& vertex) const;
 
   const CellComplex& complex_;
   const WholeOutside& whole_;

@@ -1,3 +1,5 @@
+#include "sim/surface/crack_smoothing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,7 +7,6 @@
 #include <Eigen/LU>
 
 #include "sim/base/parallel.h"
-#include "sim/surface/crack_net.h"
 
 namespace sim {
 
@@ -24,7 +25,7 @@ struct Links {
 };
 
 Links linksOf(const std::vector<CrackNet::Vertex>& vertices,
-              const std::vector<CrackNet::Interface>& interfaces) {
+              std::span<const CrackNet::Interface> interfaces) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const auto& interface : interfaces) {
     const auto& v = interface.vertices;
@@ -111,15 +112,13 @@ class Mover {
   Eigen::Matrix3d along_;     ///< onto the outside, or an edge of the body
 };
 
-}  // namespace
-
-/// Where smoothing put it, brought back onto the curved outside.
-Vec3 CrackNet::onOutside(const Vertex& vertex) const {
-  const Network& network = complex_.network();
+/// Where smoothing put the vertex, brought back onto the curved outside.
+Vec3 onOutside(const CellComplex& complex, const WholeOutside& whole, const CrackNet::Vertex& vertex) {
+  const Network& network = complex.network();
   Vec3 nearest = vertex.start;
   double distance = std::numeric_limits<double>::infinity();
   for (const std::uint32_t place : vertex.outsideFaces) {
-    const auto nodes = complex_.nodesOf(complex_.outsideFaces()[place]).nodes;
+    const auto nodes = complex.nodesOf(complex.outsideFaces()[place]).nodes;
     std::array<Vec3, 4> corners;
     for (std::size_t c = 0; c < 4; ++c) corners[c] = network.positions[nodes[c]];
     Eigen::Vector2d at = nearestShares(corners, vertex.position);
@@ -133,7 +132,7 @@ Vec3 CrackNet::onOutside(const Vertex& vertex) const {
       const auto& high = kCorners[vertex.creaseSide + 1U];
       at = {low[0] + share * (high[0] - low[0]), low[1] + share * (high[1] - low[1])};
     }
-    const Vec3 point = whole_.curved.point(place, at.x(), at.y());
+    const Vec3 point = whole.curved.point(place, at.x(), at.y());
     const double apart = (point - vertex.position).squaredNorm();
     if (apart < distance) {
       distance = apart;
@@ -144,13 +143,16 @@ Vec3 CrackNet::onOutside(const Vertex& vertex) const {
   return nearest;
 }
 
-void CrackNet::smooth() {
-  const Links links = linksOf(vertices_, interfaces_);
+}  // namespace
+
+void smoothCracks(const CellComplex& complex, const WholeOutside& whole,
+                  std::span<const CrackNet::Interface> interfaces, std::vector<CrackNet::Vertex>& vertices) {
+  const Links links = linksOf(vertices, interfaces);
   std::vector<Mover> movers;
   std::vector<Vec3> now;
-  for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
-    now.push_back(vertices_[i].position);
-    if (mayMove(vertices_[i], links.first[i + 1] - links.first[i])) movers.emplace_back(vertices_[i], i);
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    now.push_back(vertices[i].position);
+    if (mayMove(vertices[i], links.first[i + 1] - links.first[i])) movers.emplace_back(vertices[i], i);
   }
   std::vector<Vec3> next = now;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -166,9 +168,9 @@ void CrackNet::smooth() {
     now.swap(next);
   }
   for (const Mover& mover : movers) {
-    Vertex& vertex = vertices_[mover.vertex];
+    CrackNet::Vertex& vertex = vertices[mover.vertex];
     vertex.position = now[mover.vertex];
-    if (vertex.outside) vertex.position = onOutside(vertex);
+    if (vertex.outside) vertex.position = onOutside(complex, whole, vertex);
   }
 }
 

@@ -7,7 +7,7 @@
 #include "sim/skipping/rigid_body.h"
 #include "tests/support/spring_network.h"
 
-// What is skipped (B4), and that the result stays what it is without.
+// What is skipped (docs/numerics.md), and that the result stays what it is without.
 
 namespace {
 
