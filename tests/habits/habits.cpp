@@ -19,7 +19,10 @@ struct Ladder {
   std::string_view folders;
 };
 constexpr std::array<Ladder, 3> kLadders = {
-    {{"sim", "base collider network state surface kernel fracture contact control skipping dynamics take"},
+    {{"sim",
+      "base collider network state surface kernel fracture fragments contact control world skipping passes "
+      "methods "
+      "dynamics take"},
      {"modeling", "text shapes material glue assembly import kinds scene preflight calibration run exchange"},
      {"ui", "theme plot picture document kinds session viewport timeline panels editors files window"}}};
 // In two halves, so that this file does not hold the words it looks for.
