@@ -141,7 +141,7 @@ sim::Status benchAccuracy(const AccuracyOptions& options) {
   const auto scenes = accuracyScenes(options.quick);
   if (!scenes) return scenes.problem();
   std::vector<AccuracyRow> rows;
-  auto json = nlohmann::ordered_json::array();
+  Json::Array json;
   for (const AccuracyScene& scene : *scenes) {
     if (!options.scenes.empty() && std::count(options.scenes.begin(), options.scenes.end(), scene.name) == 0)
       continue;
@@ -151,10 +151,7 @@ sim::Status benchAccuracy(const AccuracyOptions& options) {
     }
   }
   std::fputs(accuracyTables(rows).c_str(), stdout);
-  if (options.folder) {
-    if (const auto written = writeResult(*options.folder, "accuracy.json", json.dump(2)); !written)
-      return written;
-  }
+  if (auto written = writeRows(options.folder, "accuracy.json", json); !written) return written;
   if (!options.plots) return sim::Done{};
   for (const auto& [name, sheet] : accuracyPlots(rows)) {
     if (const auto saved = drawPlots(sheet, *options.plots / ("accuracy-" + name)); !saved) return saved;

@@ -12,16 +12,10 @@
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kAsked = 0.01;  // strain error
 
 Json optional(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-std::optional<double> number(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+  return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
 std::string text(const char* format, double value) {
@@ -198,22 +192,22 @@ Json toJson(const AccuracyRow& row) {
 
 AccuracyRow accuracyRow(const Json& json) {
   AccuracyRow row;
-  row.scene = json.value("scene", "");
-  row.title = json.value("title", "");
-  row.method = json.value("method", "");
-  row.automatic = json.value("automatic", false);
-  row.step = number(json, "step_s").value_or(0.0);
-  row.stepOverLimit = number(json, "step_over_limit").value_or(0.0);
-  row.cpuSeconds = number(json, "cpu_s").value_or(0.0);
-  row.position = number(json, "position_error");
-  row.strain = number(json, "strain_error");
-  row.energy = number(json, "energy_error");
-  row.breakTime = number(json, "break_time_error");
-  row.breakPlace = number(json, "break_place_error_cm");
-  row.dampingRatio = number(json, "damping_ratio").value_or(0.0);
-  row.brief = json.value("brief", false);
-  row.leastGain = number(json, "least_gain").value_or(0.0);
-  row.status = json.value("status", "");
+  row.scene = json.textAt("scene");
+  row.title = json.textAt("title");
+  row.method = json.textAt("method");
+  row.automatic = json.flagAt("automatic");
+  row.step = json.numberAt("step_s").value_or(0.0);
+  row.stepOverLimit = json.numberAt("step_over_limit").value_or(0.0);
+  row.cpuSeconds = json.numberAt("cpu_s").value_or(0.0);
+  row.position = json.numberAt("position_error");
+  row.strain = json.numberAt("strain_error");
+  row.energy = json.numberAt("energy_error");
+  row.breakTime = json.numberAt("break_time_error");
+  row.breakPlace = json.numberAt("break_place_error_cm");
+  row.dampingRatio = json.numberAt("damping_ratio").value_or(0.0);
+  row.brief = json.flagAt("brief");
+  row.leastGain = json.numberAt("least_gain").value_or(0.0);
+  row.status = json.textAt("status");
   return row;
 }
 

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "app/results/json.h"
 #include "ui/plot/log_log_plot.h"
 
 namespace app {
@@ -29,8 +28,8 @@ struct AccuracyRow {
   std::string status;                ///< "done", "blown up", "refused", "too slow"
 };
 
-nlohmann::ordered_json toJson(const AccuracyRow& row);
-AccuracyRow accuracyRow(const nlohmann::ordered_json& json);
+Json toJson(const AccuracyRow& row);
+AccuracyRow accuracyRow(const Json& json);
 
 /// CPU time a method needs for a strain error.
 struct TimeForError {

@@ -19,8 +19,6 @@
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The processor's own name, as Linux tells it.
 std::string processorName() {
   std::ifstream file("/proc/cpuinfo");
@@ -43,19 +41,21 @@ std::string machine() {
 }
 
 std::string cellText(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_null()) return "-";
-  if (!value.is_number_float()) return value.dump();
+  if (const auto* const words = value.get<std::string>()) return *words;
+  if (value.get<Json::Null>() != nullptr) return "-";
+  const auto* const number = value.get<double>();
+  if (number == nullptr) return dumped(value);
   std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.4g", value.get<double>());
+  std::snprintf(digits.data(), digits.size(), "%.4g", *number);
   return digits.data();
 }
 
 /// Rows of plain values with their keys as headings.
-std::string plainTable(const Json& rows) {
-  if (rows.empty() || !rows.front().is_object()) return "";
+std::string plainTable(const Json::Array& rows) {
+  const auto isRow = [](const Json& row) { return row.get<Json::Object>() != nullptr; };
+  if (rows.empty() || !std::all_of(rows.begin(), rows.end(), isRow)) return "";
   std::string head = "|", rule = "|", body;
-  for (const auto& [key, value] : rows.front().items()) {
+  for (const auto& [key, value] : *rows.front().get<Json::Object>()) {
     std::string heading = key;
     std::replace(heading.begin(), heading.end(), '_', ' ');
     head += ' ' + heading + " |";
@@ -63,13 +63,13 @@ std::string plainTable(const Json& rows) {
   }
   for (const Json& row : rows) {
     body += '|';
-    for (const auto& [key, value] : row.items()) body += ' ' + cellText(value) + " |";
+    for (const auto& [key, value] : *row.get<Json::Object>()) body += ' ' + cellText(value) + " |";
     body += '\n';
   }
   return head + '\n' + rule + '\n' + body;
 }
 
-std::string accuracySection(const Json& json) {
+std::string accuracySection(const Json::Array& json) {
   std::vector<AccuracyRow> rows;
   for (const Json& row : json) rows.push_back(accuracyRow(row));
   std::string section = accuracyTables(rows);
@@ -80,7 +80,7 @@ std::string accuracySection(const Json& json) {
 
 struct Section {
   const char* name;
-  std::string (*write)(const Json& rows);
+  std::string (*write)(const Json::Array& rows);
 };
 constexpr std::array<Section, 5> kSections = {{{"throughput", plainTable},
                                                {"scaling", plainTable},
@@ -118,12 +118,13 @@ std::vector<std::string> measureAll(const DocumentOptions& options, const std::f
   return failed;
 }
 
-sim::Result<Json> resultsOf(const std::filesystem::path& file) {
+sim::Result<Json::Array> resultsOf(const std::filesystem::path& file) {
   std::ifstream in(file);
-  Json rows = Json::parse(in, nullptr, false);
-  if (!rows.is_array())
+  const std::optional<Json> json = parseJson(std::string(std::istreambuf_iterator<char>(in), {}));
+  const auto* const rows = json ? json->get<Json::Array>() : nullptr;
+  if (rows == nullptr)
     return sim::Problem{file.string(), "there are no results here", "run `bench all` without --reuse"};
-  return rows;
+  return *rows;
 }
 
 }  // namespace

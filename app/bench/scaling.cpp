@@ -1,7 +1,5 @@
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bench/bodies.h"
 #include "app/bench/throughput.h"
 #include "app/bench/timing.h"
@@ -22,7 +20,7 @@ std::vector<Body> scalingBodies() {
 }  // namespace
 
 sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>& folder) {
-  auto rows = nlohmann::ordered_json::array();
+  Json::Array rows;
   std::printf("%-12s %8s %9s %10s %14s %12s %18s\n", "scene", "nodes", "bonds", "fragments", "pairs a step",
               "lists/step", "ns a node and step");
   for (const Body& body : scalingBodies()) {
@@ -45,16 +43,16 @@ sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>
     std::printf("%-12s %8.0f %9zu %10zu %14.0f %12.4f %18.1f\n", body.name.c_str(), nodes,
                 running.network().bondCount(), fragments, pairs, lists, nanoseconds);
     std::fflush(stdout);
-    rows.push_back({{"scene", body.name},
-                    {"nodes", nodes},
-                    {"bonds", running.network().bondCount()},
-                    {"fragments", fragments},
-                    {"threads", threads},
-                    {"pairs_per_step", pairs},
-                    {"neighbour_lists_per_step", lists},
-                    {"nanoseconds_per_node_and_step", nanoseconds}});
+    rows.push_back(Json{{"scene", body.name},
+                        {"nodes", nodes},
+                        {"bonds", running.network().bondCount()},
+                        {"fragments", fragments},
+                        {"threads", threads},
+                        {"pairs_per_step", pairs},
+                        {"neighbour_lists_per_step", lists},
+                        {"nanoseconds_per_node_and_step", nanoseconds}});
   }
-  return folder ? writeResult(*folder, "scaling.json", rows.dump(2)) : sim::Done{};
+  return writeRows(folder, "scaling.json", rows);
 }
 
 }  // namespace app

@@ -1,7 +1,5 @@
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bench/bodies.h"
 #include "app/bench/throughput.h"
 #include "app/bench/timing.h"
@@ -152,8 +150,7 @@ double furthestApart(const sim::Snapshot& a, const sim::Snapshot& b) {
   return most;
 }
 
-nlohmann::ordered_json compared(const Case& one, const char* name, const Outcome& with,
-                                const Outcome& without) {
+Json compared(const Case& one, const char* name, const Outcome& with, const Outcome& without) {
   const double apart = furthestApart(with.end, without.end);
   const bool identical = with.hash == without.hash;
   std::printf("%-28s %-14s %9.3f %9.3f %8.3f  ", one.name.c_str(), name, with.seconds, without.seconds,
@@ -177,7 +174,7 @@ nlohmann::ordered_json compared(const Case& one, const char* name, const Outcome
           {"fragments_without", without.end.fragments.size()}};
 }
 
-sim::Status compareCase(const Case& one, int threads, nlohmann::ordered_json& rows) {
+sim::Status compareCase(const Case& one, int threads, Json::Array& rows) {
   const auto settled = settledState(one, threads);
   if (!settled) return settled.problem();
   const auto with = timed(one, {}, threads, *settled);
@@ -202,12 +199,12 @@ sim::Status compareCase(const Case& one, int threads, nlohmann::ordered_json& ro
 sim::Status benchSkip(int threads, bool quick, const std::optional<std::filesystem::path>& folder) {
   const auto cases = skipCases(quick);
   if (!cases) return cases.problem();
-  auto rows = nlohmann::ordered_json::array();
+  Json::Array rows;
   std::printf("%-28s %-14s %9s %9s %8s  %s\n", "scene", "skip", "with, s", "without", "ratio", "difference");
   for (const Case& one : *cases) {
     if (const sim::Status done = compareCase(one, threads, rows); !done) return done;
   }
-  return folder ? writeResult(*folder, "skip.json", rows.dump(2)) : sim::Done{};
+  return writeRows(folder, "skip.json", rows);
 }
 
 }  // namespace app

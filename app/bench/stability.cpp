@@ -9,8 +9,6 @@
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string number(double value) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.1e", value);
@@ -24,21 +22,21 @@ struct Group {
 };
 
 void include(Group& group, const Json& row) {
-  const bool passed = row.value("passed", false);
+  const bool passed = row.flagAt("passed");
   std::string& list = passed ? group.passed : group.failed;
-  list += (list.empty() ? "" : ", ") + row.value("value", "");
-  if (!passed) list += " (" + row.value("reason", "") + ")";
-  group.maxRise = std::max(group.maxRise, row.value("max_rise", 0.0));
-  group.momentum = std::max(group.momentum, row.value("momentum_error", 0.0));
-  group.deepest = std::max(group.deepest, row.value("deepest_cm", 0.0));
+  list += (list.empty() ? "" : ", ") + row.textAt("value");
+  if (!passed) list += " (" + row.textAt("reason") + ")";
+  group.maxRise = std::max(group.maxRise, row.numberAt("max_rise").value_or(0.0));
+  group.momentum = std::max(group.momentum, row.numberAt("momentum_error").value_or(0.0));
+  group.deepest = std::max(group.deepest, row.numberAt("deepest_cm").value_or(0.0));
 }
 
 }  // namespace
 
-std::string stabilityTable(const Json& rows) {
+std::string stabilityTable(const Json::Array& rows) {
   std::vector<Group> groups;
   for (const Json& row : rows) {
-    const std::string name = row.value("group", ""), method = row.value("method", "");
+    const std::string name = row.textAt("group"), method = row.textAt("method");
     if (groups.empty() || groups.back().name != name || groups.back().method != method) {
       auto found = std::find_if(groups.begin(), groups.end(),
                                 [&](const Group& one) { return one.name == name && one.method == method; });
@@ -62,22 +60,22 @@ std::string stabilityTable(const Json& rows) {
 }
 
 sim::Status benchStability(bool quick, const std::optional<std::filesystem::path>& folder) {
-  Json rows = Json::array();
+  Json::Array rows;
   for (const StabilityCase& one : stabilityCases(quick)) {
     const StabilityResult result = judge(one);
-    rows.push_back({{"group", one.group},
-                    {"value", one.value},
-                    {"method", one.method},
-                    {"passed", result.passed},
-                    {"reason", result.reason},
-                    {"max_rise", result.maxRise},
-                    {"momentum_error", result.momentumError},
-                    {"deepest_cm", result.deepest}});
+    rows.push_back(Json{{"group", one.group},
+                        {"value", one.value},
+                        {"method", one.method},
+                        {"passed", result.passed},
+                        {"reason", result.reason},
+                        {"max_rise", result.maxRise},
+                        {"momentum_error", result.momentumError},
+                        {"deepest_cm", result.deepest}});
     std::fprintf(stderr, "%-50s %-8s %-18s %s %s\n", one.group.c_str(), one.value.c_str(), one.method.c_str(),
                  result.passed ? "passed" : "failed", result.reason.c_str());
   }
   std::fputs(stabilityTable(rows).c_str(), stdout);
-  return folder ? writeResult(*folder, "stability.json", rows.dump(2)) : sim::Done{};
+  return writeRows(folder, "stability.json", rows);
 }
 
 }  // namespace app

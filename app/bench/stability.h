@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
+#include "app/results/json.h"
 #include "sim/base/result.h"
 
 namespace app {
@@ -14,6 +13,6 @@ namespace app {
 sim::Status benchStability(bool quick, const std::optional<std::filesystem::path>& folder);
 
 /// The rows of stability.json as a Markdown table, one line a group and method.
-std::string stabilityTable(const nlohmann::ordered_json& rows);
+std::string stabilityTable(const Json::Array& rows);
 
 }  // namespace app

@@ -5,8 +5,6 @@
 #include <fstream>
 #include <iostream>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bench/bodies.h"
 #include "app/bench/lammps.h"
 #include "app/bench/plain_loop.h"
@@ -87,7 +85,7 @@ sim::Result<Row> measure(const Body& body, sim::Precision precision, int threads
   return row;
 }
 
-nlohmann::ordered_json toJson(const Row& row) {
+Json toJson(const Row& row) {
   return {{"scene", row.scene},
           {"nodes", row.nodes},
           {"bonds", row.bonds},
@@ -101,14 +99,14 @@ nlohmann::ordered_json toJson(const Row& row) {
 }
 
 /// The same bar here and in LAMMPS, a CPU second of one thread each.
-sim::Result<std::optional<nlohmann::ordered_json>> compareWithLammps() {
+sim::Result<std::optional<Json>> compareWithLammps() {
   auto simulation = start(slabScene(20, 20, 120), 1);
   if (!simulation) return simulation.problem();
   sim::Simulation& running = **simulation;
   const std::size_t bonds = running.network().bondCount();
   const int steps = stepsFor(bonds);
   const auto lammps = lammpsBondsPerSecond(running.network(), running.step(), steps);
-  if (!lammps) return std::optional<nlohmann::ordered_json>();
+  if (!lammps) return std::optional<Json>();
   sim::Status status = sim::Done{};
   const double seconds = medianSeconds(kRepeats, [&] {
                            for (int step = 0; step < steps && status; ++step) status = running.stepOnce();
@@ -117,25 +115,27 @@ sim::Result<std::optional<nlohmann::ordered_json>> compareWithLammps() {
   const double here = static_cast<double>(bonds) * steps / seconds;
   std::printf("a bar of %zu bonds, million a CPU second: %.1f here, %.1f in LAMMPS, ratio %.2f\n", bonds,
               here / 1e6, *lammps / 1e6, here / *lammps);
-  return std::optional<nlohmann::ordered_json>({{"scene", "bar, beside LAMMPS"},
-                                                {"nodes", running.network().nodeCount()},
-                                                {"bonds", bonds},
-                                                {"precision", "double"},
-                                                {"threads", 1},
-                                                {"bonds_per_cpu_second", here},
-                                                {"lammps_bonds_per_cpu_second", *lammps}});
+  return std::optional(Json{{"scene", "bar, beside LAMMPS"},
+                            {"nodes", running.network().nodeCount()},
+                            {"bonds", bonds},
+                            {"precision", "double"},
+                            {"threads", 1},
+                            {"bonds_per_cpu_second", here},
+                            {"lammps_bonds_per_cpu_second", *lammps}});
 }
 
 }  // namespace
 
-sim::Status writeResult(const std::filesystem::path& folder, const char* name, const std::string& text) {
+sim::Status writeRows(const std::optional<std::filesystem::path>& folder, const char* name,
+                      const Json::Array& rows) {
+  if (!folder) return sim::Done{};
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  std::ofstream file(folder / name);
-  file << text << '\n';
+  std::filesystem::create_directories(*folder, error);
+  std::ofstream file(*folder / name);
+  file << dumped(rows, 2) << '\n';
   file.close();
   if (!file)
-    return sim::Problem{(folder / name).string(), "the file cannot be written",
+    return sim::Problem{(*folder / name).string(), "the file cannot be written",
                         "choose another folder with --out"};
   return sim::Done{};
 }
@@ -144,7 +144,7 @@ sim::Status benchThroughput(const std::vector<int>& threads,
                             const std::optional<std::filesystem::path>& folder) {
   auto bodies = throughputBodies();
   if (!bodies) return bodies.problem();
-  auto rows = nlohmann::ordered_json::array();
+  Json::Array rows;
   std::printf("%-24s %9s %8s %9s %8s %16s %14s %14s %7s %11s %10s\n", "scene", "precision", "nodes", "bonds",
               "threads", "million bonds/s", "a CPU second", "plain loop", "ratio", "bytes/node", "bandwidth");
   for (const int count : threads) {
@@ -168,7 +168,7 @@ sim::Status benchThroughput(const std::vector<int>& threads,
   const auto compared = compareWithLammps();
   if (!compared) return compared.problem();
   if (compared->has_value()) rows.push_back(**compared);
-  return folder ? writeResult(*folder, "throughput.json", rows.dump(2)) : sim::Done{};
+  return writeRows(folder, "throughput.json", rows);
 }
 
 }  // namespace app

@@ -4,26 +4,30 @@
 #include <optional>
 #include <vector>
 
+#include "app/results/json.h"
 #include "sim/base/result.h"
 
 namespace app {
 
-/// `bench throughput`: bond updates a second of the whole step (force, damping, break test, integration),
-/// each bond counted once, on bodies from 3,700 to 500,000 nodes, beside a plain loop over bonds in the same
-/// run. Prints a table; with a folder, writes throughput.json there.
+/// `bench throughput`: how many bonds a second a whole step gets done (force, damping, break test,
+/// integration), on bodies of 3,700 to 500,000 nodes. Each bond counts once. A plain loop over the same bonds
+/// is measured in the same run, to compare. Prints a table and writes throughput.json into the folder, if
+/// there is one.
 sim::Status benchThroughput(const std::vector<int>& threads,
                             const std::optional<std::filesystem::path>& folder);
 
-/// `bench scaling`: time a step against the number of nodes, for a solid slab and for loose cubes in contact
-/// (P12: linear). Prints a table; with a folder, writes scaling.json there.
+/// `bench scaling`: the time that a step takes against the number of nodes, for a solid slab and for loose
+/// cubes in contact. It should grow as the number does (paper, "Collision detection"). Prints a table and
+/// writes scaling.json into the folder, if there is one.
 sim::Status benchScaling(int threads, const std::optional<std::filesystem::path>& folder);
 
-/// `bench skip`: scenes with and without each thing that may be left out (sim::SkipSettings), seconds and
-/// difference of the result. Prints a table; with a folder, writes skip.json there. `quick` leaves out what
-/// takes minutes.
+/// `bench skip`: the seconds that scenes take with and without each thing that may be left out
+/// (sim::SkipSettings), and how far the results differ. `quick` leaves out the scenes that take minutes.
+/// Prints a table and writes skip.json into the folder, if there is one.
 sim::Status benchSkip(int threads, bool quick, const std::optional<std::filesystem::path>& folder);
 
-/// Writes a JSON text into folder/name, making the folder.
-sim::Status writeResult(const std::filesystem::path& folder, const char* name, const std::string& text);
+/// Writes the rows into folder/name, making the folder. Without a folder nothing is written.
+sim::Status writeRows(const std::optional<std::filesystem::path>& folder, const char* name,
+                      const Json::Array& rows);
 
 }  // namespace app

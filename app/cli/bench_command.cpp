@@ -1,95 +1,127 @@
-#include "app/cli/bench_command.h"
-
-#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
 
 #include "app/bench/accuracy.h"
 #include "app/bench/document.h"
 #include "app/bench/stability.h"
 #include "app/bench/throughput.h"
+#include "app/cli/commands.h"
 
 namespace app {
 namespace {
 
+/// The options of all benchmarks; each offers those that it heeds.
 struct BenchOptions {
   std::string out;
+  std::string plots;
+  std::string docs = DocumentOptions{}.docs;
   std::vector<int> threads;
+  std::vector<std::string> scenes;
   bool quick = false;
+  bool reuse = false;
 
-  std::optional<std::filesystem::path> folder() const {
-    return out.empty() ? std::nullopt : std::optional<std::filesystem::path>(out);
+  static std::optional<std::filesystem::path> folder(const std::string& name) {
+    return name.empty() ? std::nullopt : std::optional<std::filesystem::path>(name);
   }
+  /// The threads of a benchmark that measures with one number of them.
+  int oneThreads() const { return threads.empty() ? 1 : threads.front(); }
 };
 
-void addOptions(CLI::App& command, const std::shared_ptr<BenchOptions>& options) {
-  command.add_option("--out", options->out, "Folder for the results as JSON");
-  command.add_option("--threads", options->threads, "Threads to measure with; may be repeated")
-      ->check(CLI::Range(1, 256));
+ExitStatus statusOf(const sim::Status& done) {
+  return done ? ExitStatus::done : complain(done.problem());
 }
 
-void addAccuracy(CLI::App& bench, ExitStatus& status) {
-  CLI::App* command = bench.add_subcommand("accuracy", "CPU time against error, every method");
-  const auto options = std::make_shared<AccuracyOptions>();
-  command->add_option("--out", options->folder, "Folder for accuracy.json");
-  command->add_option("--plots", options->plots, "Folder for the plots");
-  command->add_option("--scene", options->scenes, "Only this scene; may be repeated");
-  command->add_flag("--quick", options->quick, "Small scenes and few steps");
-  command->callback([options, &status] {
-    if (const auto done = benchAccuracy(*options); !done) status = complain(done.problem());
-  });
+std::vector<Option> resultOptions(BenchOptions& options) {
+  return {{"--out", &options.out, "Folder for the results as JSON"},
+          {.name = "--threads",
+           .target = &options.threads,
+           .help = "Threads to measure with; may be repeated",
+           .range = Range{1.0, 256.0}}};
 }
 
-void addStability(CLI::App& bench, ExitStatus& status) {
-  CLI::App* command = bench.add_subcommand("stability", "What could make a run unstable, to its extremes");
+Command throughputCommand() {
   const auto options = std::make_shared<BenchOptions>();
-  command->add_option("--out", options->out, "Folder for stability.json");
-  command->add_flag("--quick", options->quick, "Only the extremes, and small");
-  command->callback([options, &status] {
-    if (const auto done = benchStability(options->quick, options->folder()); !done)
-      status = complain(done.problem());
-  });
+  return {.name = "throughput",
+          .help = "Bond updates a second, beside a plain loop",
+          .options = resultOptions(*options),
+          .run = [options] {
+            const bool asked = !options->threads.empty();
+            return statusOf(benchThroughput(asked ? options->threads : std::vector<int>{1, 2},
+                                            BenchOptions::folder(options->out)));
+          }};
 }
 
-void addAll(CLI::App& bench, ExitStatus& status) {
-  CLI::App* command = bench.add_subcommand("all", "Every benchmark, written into benchmarks.md");
-  const auto options = std::make_shared<DocumentOptions>();
-  command->add_option("--docs", options->docs, "Folder of benchmarks.md; results and plots go into plots/");
-  command->add_flag("--reuse", options->reuse, "Write anew from the results there; measure nothing");
-  command->add_flag("--quick", options->quick, "Small scenes where there are any: to try the whole");
-  command->callback([options, &status] {
-    if (const auto done = benchAll(*options); !done) status = complain(done.problem());
-  });
+Command scalingCommand() {
+  const auto options = std::make_shared<BenchOptions>();
+  return {.name = "scaling",
+          .help = "Time a step against the number of nodes",
+          .options = resultOptions(*options),
+          .run = [options] {
+            return statusOf(benchScaling(options->oneThreads(), BenchOptions::folder(options->out)));
+          }};
+}
+
+Command skipCommand() {
+  const auto options = std::make_shared<BenchOptions>();
+  Command command{
+      .name = "skip",
+      .help = "Scenes with and without each thing that may be left out",
+      .options = resultOptions(*options),
+      .run = [options] {
+        return statusOf(benchSkip(options->oneThreads(), options->quick, BenchOptions::folder(options->out)));
+      }};
+  command.options.push_back({"--quick", &options->quick, "Leave out what takes minutes"});
+  return command;
+}
+
+Command accuracyCommand() {
+  const auto options = std::make_shared<BenchOptions>();
+  return {.name = "accuracy",
+          .help = "CPU time against error, every method",
+          .options = {{"--out", &options->out, "Folder for accuracy.json"},
+                      {"--plots", &options->plots, "Folder for the plots"},
+                      {"--scene", &options->scenes, "Only this scene; may be repeated"},
+                      {"--quick", &options->quick, "Small scenes and few steps"}},
+          .run = [options] {
+            return statusOf(benchAccuracy({.quick = options->quick,
+                                           .scenes = options->scenes,
+                                           .folder = BenchOptions::folder(options->out),
+                                           .plots = BenchOptions::folder(options->plots)}));
+          }};
+}
+
+Command stabilityCommand() {
+  const auto options = std::make_shared<BenchOptions>();
+  return {.name = "stability",
+          .help = "What could make a run unstable, to its extremes",
+          .options = {{"--out", &options->out, "Folder for stability.json"},
+                      {"--quick", &options->quick, "Only the extremes, and small"}},
+          .run = [options] {
+            return statusOf(benchStability(options->quick, BenchOptions::folder(options->out)));
+          }};
+}
+
+Command allCommand() {
+  const auto options = std::make_shared<BenchOptions>();
+  return {
+      .name = "all",
+      .help = "Every benchmark, written into benchmarks.md",
+      .options = {{"--docs", &options->docs, "Folder of benchmarks.md; results and plots go into plots/"},
+                  {"--reuse", &options->reuse, "Write anew from the results there; measure nothing"},
+                  {"--quick", &options->quick, "Small scenes where there are any: to try the whole"}},
+      .run = [options] {
+        return statusOf(benchAll({.docs = options->docs, .reuse = options->reuse, .quick = options->quick}));
+      }};
 }
 
 }  // namespace
 
-void addBenchCommand(CLI::App& program, ExitStatus& status) {
-  CLI::App* bench = program.add_subcommand("bench", "Measures speed and memory");
-  bench->require_subcommand(1);
-  const auto options = std::make_shared<BenchOptions>();
-  CLI::App* throughput = bench->add_subcommand("throughput", "Bond updates a second, beside a plain loop");
-  addOptions(*throughput, options);
-  throughput->callback([options, &status] {
-    const std::vector<int> threads = options->threads.empty() ? std::vector<int>{1, 2} : options->threads;
-    if (const auto done = benchThroughput(threads, options->folder()); !done)
-      status = complain(done.problem());
-  });
-  CLI::App* scaling = bench->add_subcommand("scaling", "Time a step against the number of nodes");
-  addOptions(*scaling, options);
-  scaling->callback([options, &status] {
-    const int threads = options->threads.empty() ? 1 : options->threads.front();
-    if (const auto done = benchScaling(threads, options->folder()); !done) status = complain(done.problem());
-  });
-  CLI::App* skip = bench->add_subcommand("skip", "Scenes with and without each thing that may be left out");
-  addOptions(*skip, options);
-  skip->add_flag("--quick", options->quick, "Leave out what takes minutes");
-  skip->callback([options, &status] {
-    const int threads = options->threads.empty() ? 1 : options->threads.front();
-    if (const auto done = benchSkip(threads, options->quick, options->folder()); !done)
-      status = complain(done.problem());
-  });
-  addAccuracy(*bench, status);
-  addStability(*bench, status);
-  addAll(*bench, status);
+Command benchCommand() {
+  return {.name = "bench",
+          .help = "Measures speed and memory",
+          .commands = {throughputCommand(), scalingCommand(), skipCommand(), accuracyCommand(),
+                       stabilityCommand(), allCommand()}};
 }
 
 }  // namespace app

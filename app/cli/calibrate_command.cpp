@@ -1,14 +1,17 @@
-#include "app/cli/calibrate_command.h"
-
 #include <cstdio>
+#include <memory>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/commands.h"
 #include "modeling/calibration/calibration.h"
 #include "modeling/scene/resources.h"
 
 namespace app {
 namespace {
+
+struct CalibrateOptions {
+  std::string material;
+  modeling::CalibrationSettings settings;
+};
 
 void printHead() {
   std::printf("%12s %20s %10s %16s %15s  %s\n", "threshold", "first break (ms)", "fragments",
@@ -24,16 +27,16 @@ bool printTrial(const modeling::Trial& trial) {
   return true;
 }
 
-ExitStatus runCalibration(const std::string& name, const modeling::CalibrationSettings& settings) {
-  const auto material = modeling::presetMaterial(name);
+ExitStatus runCalibration(const CalibrateOptions& options) {
+  const auto material = modeling::presetMaterial(options.material);
   if (!material) return complain(material.problem());
   printHead();
-  const auto calibration = modeling::calibrate(*material, settings, printTrial);
+  const auto calibration = modeling::calibrate(*material, options.settings, printTrial);
   if (!calibration) return complain(calibration.problem(), ExitStatus::failed);
   if (!calibration->threshold) {
-    return complain(
-        {"material " + name, "no threshold made the samples break after the impact", "try another --speed"},
-        ExitStatus::failed);
+    return complain({"material " + options.material, "no threshold made the samples break after the impact",
+                     "try another --speed"},
+                    ExitStatus::failed);
   }
   std::printf("\"threshold\": {\"mean\": %.3g, \"spread\": %g}\n", *calibration->threshold,
               material->threshold.spread);
@@ -42,21 +45,29 @@ ExitStatus runCalibration(const std::string& name, const modeling::CalibrationSe
 
 }  // namespace
 
-void addCalibrateCommand(CLI::App& program, ExitStatus& status) {
-  CLI::App* command = program.add_subcommand(
-      "calibrate", "Finds a material's breaking threshold by dropping small cylinders of it");
-  struct Options {
-    std::string material;
-    modeling::CalibrationSettings settings;
-  };
-  const auto options = std::make_shared<Options>();
-  command->add_option("MATERIAL", options->material, "One of resources/materials")->required();
-  command->add_option("--speed", options->settings.speed, "Of the impact, cm/s")->check(CLI::PositiveNumber);
-  command->add_option("--cell-size", options->settings.cellSize, "Of the model the threshold is for, cm")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--seed", options->settings.seed, "Of the random thresholds");
-  command->add_option("--threads", options->settings.threads, "0: all there are")->check(CLI::Range(0, 256));
-  command->callback([options, &status] { status = runCalibration(options->material, options->settings); });
+Command calibrateCommand() {
+  const auto options = std::make_shared<CalibrateOptions>();
+  modeling::CalibrationSettings& settings = options->settings;
+  return {.name = "calibrate",
+          .help = "Finds a material's breaking threshold by dropping small cylinders of it",
+          .options = {{.name = "MATERIAL",
+                       .target = &options->material,
+                       .help = "One of resources/materials",
+                       .required = true},
+                      {.name = "--speed",
+                       .target = &settings.speed,
+                       .help = "Of the impact, cm/s",
+                       .positive = true},
+                      {.name = "--cell-size",
+                       .target = &settings.cellSize,
+                       .help = "Of the model the threshold is for, cm",
+                       .positive = true},
+                      {"--seed", &settings.seed, "Of the random thresholds"},
+                      {.name = "--threads",
+                       .target = &settings.threads,
+                       .help = "0: all there are",
+                       .range = Range{0.0, 256.0}}},
+          .run = [options] { return runCalibration(*options); }};
 }
 
 }  // namespace app

@@ -12,13 +12,13 @@ namespace app {
 
 namespace {
 
-pid_t start(const Command& command) {
+pid_t start(const ChildProcess& process) {
   std::vector<char*> words;
-  for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
+  for (const std::string& word : process.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   const pid_t child = ::fork();
   if (child != 0) return child;
-  const int log = ::open(command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  const int log = ::open(process.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   if (log >= 0) {
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
@@ -33,13 +33,13 @@ int statusOf(int raw) {
 
 }  // namespace
 
-void runCommands(const std::vector<Command>& commands, std::size_t atATime,
-                 const std::function<void(std::size_t index, int status)>& done) {
+void runChildProcesses(const std::vector<ChildProcess>& processes, std::size_t atATime,
+                       const std::function<void(std::size_t index, int status)>& done) {
   std::map<pid_t, std::size_t> running;
   std::size_t next = 0;
-  while (next < commands.size() || !running.empty()) {
-    if (next < commands.size() && running.size() < atATime) {
-      const pid_t child = start(commands[next]);
+  while (next < processes.size() || !running.empty()) {
+    if (next < processes.size() && running.size() < atATime) {
+      const pid_t child = start(processes[next]);
       if (child > 0) {
         running[child] = next++;
         continue;

@@ -12,4 +12,9 @@ ExitStatus complain(const sim::Problem& problem, ExitStatus status) {
   return status;
 }
 
+Option threadsOption(int& threads) {
+  return {
+      .name = "--threads", .target = &threads, .help = "0: all there are", .range = Range{0.0, kMostThreads}};
+}
+
 }  // namespace app

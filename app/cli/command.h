@@ -1,10 +1,13 @@
 #pragma once
 
-#include "sim/base/result.h"
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
-namespace CLI {
-class App;
-}
+#include "sim/base/result.h"
 
 /// The headless program. Results go to standard output, progress and errors to standard error.
 namespace app {
@@ -22,8 +25,41 @@ inline constexpr int kMostThreads = 1024;
 /// Prints the problem's line to standard error and returns the status, so that a command can `return` it.
 ExitStatus complain(const sim::Problem& problem, ExitStatus status = ExitStatus::wrongInput);
 
-/// A command registers its name, options and callback with the program, and its callback leaves its answer in
-/// `status`. One such function a command, each in its own file.
-using AddCommand = void (*)(CLI::App& program, ExitStatus& status);
+/// Where the value of an option goes. A bool is a flag, a vector takes the option several times, and an
+/// optional keeps whether it was given.
+using Target = std::variant<bool*, int*, double*, std::uint64_t*, std::string*, std::optional<double>*,
+                            std::optional<std::uint64_t>*, std::vector<int>*, std::vector<std::string>*>;
+
+/// The least and the largest number that an option takes.
+struct Range {
+  double least = 0.0;
+  double most = 0.0;
+};
+
+/// One option of a command, as plain data: only command_line.cpp knows the library that reads it.
+struct Option {
+  std::string name;  ///< "--take"; without the dashes it is a word at its own place, which help calls so
+  Target target;
+  std::string help;
+  bool required = false;
+  bool oneAtATime = false;  ///< of a vector: each value stands behind an option of its own
+  bool positive = false;    ///< of a number: it is above zero
+  std::optional<Range> range = std::nullopt;
+  std::vector<std::string> oneOf = {};  ///< the texts that are allowed; empty: any
+  std::string excludes = "";            ///< name of an option before this one that it cannot stand beside
+  std::string shownDefault = "";        ///< what help says an absent option means; "": nothing
+};
+
+/// --threads, of commands that run simulations. 0 stands for all there are.
+Option threadsOption(int& threads);
+
+/// A command of the program. `run` is called when all options have been read.
+struct Command {
+  std::string name;
+  std::string help;
+  std::vector<Option> options = {};
+  std::function<ExitStatus()> run = {};
+  std::vector<Command> commands = {};  ///< where there are any, one of them has to be named
+};
 
 }  // namespace app

@@ -16,14 +16,13 @@
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using modeling::BuiltScene;
 
 /// As many of the worst cells are told of.
 constexpr std::size_t kMostCells = 5;
 
 Json vectorJson(const sim::Vec3& vector) {
-  return {vector.x(), vector.y(), vector.z()};
+  return Json::Array{vector.x(), vector.y(), vector.z()};
 }
 
 void addCounts(const sim::Network& network, Json& info) {
@@ -43,7 +42,7 @@ void addExtent(const std::vector<sim::Vec3>& positions, const std::vector<double
 }
 
 Json partsJson(const std::vector<modeling::PartReport>& parts) {
-  Json list = Json::array();
+  Json::Array list;
   for (const modeling::PartReport& part : parts) {
     Json& entry = list.emplace_back(Json{{"name", part.name}, {"nodes", part.nodes}});
     const modeling::LatticeQuality& quality = part.quality;
@@ -60,18 +59,18 @@ Json partsJson(const std::vector<modeling::PartReport>& parts) {
 }
 
 Json glueJson(const std::vector<modeling::GlueReport>& reports) {
-  Json list = Json::array();
+  Json::Array list;
   for (const modeling::GlueReport& glue : reports) {
-    list.push_back({{"a", glue.a},
-                    {"b", glue.b},
-                    {"nodes_merged", glue.nodesMerged},
-                    {"bonds_zeroed", glue.bondsZeroed},
-                    {"bonds_duplicate", glue.bondsDuplicate},
-                    {"cells_dropped", glue.cellsDropped},
-                    {"wedges", glue.wedges},
-                    {"cells_bent", glue.bent},
-                    {"worst_distance_cm", glue.worstDistance},
-                    {"worst_scaled_jacobian", glue.worstScaledJacobian}});
+    list.push_back(Json{{"a", glue.a},
+                        {"b", glue.b},
+                        {"nodes_merged", glue.nodesMerged},
+                        {"bonds_zeroed", glue.bondsZeroed},
+                        {"bonds_duplicate", glue.bondsDuplicate},
+                        {"cells_dropped", glue.cellsDropped},
+                        {"wedges", glue.wedges},
+                        {"cells_bent", glue.bent},
+                        {"worst_distance_cm", glue.worstDistance},
+                        {"worst_scaled_jacobian", glue.worstScaledJacobian}});
   }
   return list;
 }
@@ -93,12 +92,12 @@ std::string_view nameOf(sim::StepLimit limit) {
 }
 
 Json worstCellsJson(const std::vector<modeling::PoorCell>& cells) {
-  Json list = Json::array();
+  Json::Array list;
   for (std::size_t i = 0; i < std::min(cells.size(), kMostCells); ++i) {
-    list.push_back({{"part", cells[i].part},
-                    {"cell", cells[i].cell},
-                    {"scaled_jacobian", cells[i].scaledJacobian},
-                    {"aspect", cells[i].aspect}});
+    list.push_back(Json{{"part", cells[i].part},
+                        {"cell", cells[i].cell},
+                        {"scaled_jacobian", cells[i].scaledJacobian},
+                        {"aspect", cells[i].aspect}});
   }
   return list;
 }

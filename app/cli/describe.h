@@ -2,8 +2,7 @@
 
 #include <filesystem>
 
-#include <nlohmann/json.hpp>
-
+#include "app/results/json.h"
 #include "sim/base/result.h"
 
 /// What is in a file, as JSON with the units in the names of its keys (docs/formats.md, "Info").
@@ -12,12 +11,12 @@ namespace app {
 /// Built, not run: counts, sizes, quality of cells, glue, and the pre-flight: the stable step, the bonds that
 /// would break before anything moves, the time a run would take here (a few steps are made and measured), and
 /// how large its take would be.
-sim::Result<nlohmann::ordered_json> describeScene(const std::filesystem::path& file);
-sim::Result<nlohmann::ordered_json> describeTake(const std::filesystem::path& file);
+sim::Result<Json> describeScene(const std::filesystem::path& file);
+sim::Result<Json> describeTake(const std::filesystem::path& file);
 /// A LAMMPS data file.
-sim::Result<nlohmann::ordered_json> describeNetwork(const std::filesystem::path& file);
+sim::Result<Json> describeNetwork(const std::filesystem::path& file);
 
 /// By the file's extension (.json, .take, .data), else by how it begins.
-sim::Result<nlohmann::ordered_json> describe(const std::filesystem::path& file);
+sim::Result<Json> describe(const std::filesystem::path& file);
 
 }  // namespace app

@@ -1,11 +1,8 @@
-#include "app/cli/export_command.h"
-
 #include <iostream>
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/commands.h"
 #include "app/cli/frames.h"
 #include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
@@ -20,8 +17,7 @@ struct ExportOptions {
   std::string format;
   std::string out;
   std::string frames = ":";
-  sim::LooseNodes looseNodes = sim::LooseNodes::shards;
-  const CLI::Option* looseNodesOption = nullptr;
+  std::string looseNodes;
   bool levelSurface = false;
 };
 
@@ -39,7 +35,7 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
                                     .lastFrame = range.last,
                                     .progress = show,
                                     .remark = remark,
-                                    .looseNodes = options.looseNodes,
+                                    .looseNodes = looseNodesNamed(options.looseNodes),
                                     .levelSurface = options.levelSurface});
   if (status) std::cout << remarks;
   return status;
@@ -48,7 +44,7 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
 ExitStatus exportTake(const ExportOptions& options) {
   const auto format = modeling::exportFormatNamed(options.format);
   if (!format) return complain(format.problem());
-  if (options.looseNodesOption->count() > 0 && format->surface == modeling::ExportedSurface::none) {
+  if (!options.looseNodes.empty() && format->surface == modeling::ExportedSurface::none) {
     return complain(sim::Problem{"--loose-nodes", "the format " + format->name + " has no surface",
                                  "leave it out, or use --format glb, obj, ply or pc2"});
   }
@@ -73,22 +69,23 @@ std::string formatHelp() {
 
 }  // namespace
 
-void addExportCommand(CLI::App& program, ExitStatus& status) {
+Command exportCommand() {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = program.add_subcommand("export", "Write a take's frames for other programs");
-  command->add_option("take", options->take, "The take")->required();
-  command->add_option("--format", options->format, formatHelp())->required();
-  command
-      ->add_option("--out", options->out,
-                   "File; a format of one file a frame numbers them, as in FILE.0012.obj")
-      ->required();
-  command->add_option("--frames", options->frames, "Frames A:B, counted from 0 (default: all)");
-  options->looseNodesOption = addLooseNodes(*command, options->looseNodes);
-  command->add_flag(
-      "--level-surface", options->levelSurface,
-      "The surface on which the potential field of the nodes has one value, in place of the cells' "
-      "(obj, ply)");
-  command->callback([options, &status] { status = exportTake(*options); });
+  return {.name = "export",
+          .help = "Write a take's frames for other programs",
+          .options =
+              {{.name = "take", .target = &options->take, .help = "The take", .required = true},
+               {.name = "--format", .target = &options->format, .help = formatHelp(), .required = true},
+               {.name = "--out",
+                .target = &options->out,
+                .help = "File; a format of one file a frame numbers them, as in FILE.0012.obj",
+                .required = true},
+               {"--frames", &options->frames, "Frames A:B, counted from 0 (default: all)"},
+               looseNodesOption(options->looseNodes),
+               {"--level-surface", &options->levelSurface,
+                "The surface on which the potential field of the nodes has one value, in place of the cells' "
+                "(obj, ply)"}},
+          .run = [options] { return exportTake(*options); }};
 }
 
 }  // namespace app

@@ -1,16 +1,13 @@
-#include "app/cli/import_lammps_command.h"
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/commands.h"
 #include "app/cli/progress.h"
-#include "app/cli/scene_options.h"
 #include "modeling/exchange/lammps_import.h"
 #include "modeling/scene/build.h"
+#include "modeling/scene/scene_file.h"
 
 namespace app {
 
@@ -52,16 +49,20 @@ ExitStatus import(const ImportOptions& options) {
 
 }  // namespace
 
-void addImportLammpsCommand(CLI::App& program, ExitStatus& status) {
+Command importLammpsCommand() {
   const auto options = std::make_shared<ImportOptions>();
-  CLI::App* command = program.add_subcommand(
-      "import-lammps", "Bring a run of LAMMPS back as a take (see export --format lammps)");
-  command->add_option("dump", options->dump, "The dump of nodes")->required();
-  command->add_option("--scene", options->scene, "The scene that the run was exported from")->required();
-  command->add_option("--take", options->take, "File to write")->required();
-  command->add_option("--bonds", options->bonds, "The dump of bonds (default: DUMP with the ending .bonds)");
-  command->add_option("--set", options->settings, "PATH=VALUE, as the scene was run with");
-  command->callback([options, &status] { status = import(*options); });
+  return {
+      .name = "import-lammps",
+      .help = "Bring a run of LAMMPS back as a take (see export --format lammps)",
+      .options = {{.name = "dump", .target = &options->dump, .help = "The dump of nodes", .required = true},
+                  {.name = "--scene",
+                   .target = &options->scene,
+                   .help = "The scene that the run was exported from",
+                   .required = true},
+                  {.name = "--take", .target = &options->take, .help = "File to write", .required = true},
+                  {"--bonds", &options->bonds, "The dump of bonds (default: DUMP with the ending .bonds)"},
+                  {"--set", &options->settings, "PATH=VALUE, as the scene was run with"}},
+      .run = [options] { return import(*options); }};
 }
 
 }  // namespace app

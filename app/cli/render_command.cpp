@@ -1,19 +1,15 @@
-#include "app/cli/render_command.h"
-
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/commands.h"
 #include "app/cli/frames.h"
 #include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
@@ -44,20 +40,35 @@ struct RenderOptions {
   bool resume = false;
   double framesPerSecond = 0.0;
   ui::PictureChoices choices;
+  std::string looseNodes;
   std::vector<std::string> settings;  ///< of the scene
-  std::vector<std::string> style;     ///< the same, by options of their own
+  // These stand for settings of view.picture; "": not given.
+  std::string surface;
+  std::string ground;
+  std::string backdrop;
+  std::string environment;
 
   std::vector<std::string> allSettings() const {
     std::vector<std::string> all = settings;
-    all.insert(all.end(), style.begin(), style.end());
+    const auto add = [&](const std::string& path, const std::string& value) {
+      if (!value.empty()) all.push_back("view.picture." + path + "=" + value);
+    };
+    add("surface", surface);
+    add("ground.kind", ground);
+    add("backdrop.kind", backdrop);
+    if (environment.empty()) return all;
+    std::string image = "\"";
+    image += std::filesystem::absolute(environment).string();
+    image += "\"";
+    add("environment.image", image);
     return all;
   }
   bool isSequence() const { return !frames.empty() || ui::isVideoPath(out); }
   /// What pictures depend on but for the number of samples: more can be added to those that were kept.
   std::string nameOf(std::size_t frame) const {
     std::ostringstream name;
-    name << take << " frame " << frame << " " << size << " " << static_cast<int>(choices.looseNodes) << " "
-         << choices.shutter << " " << choices.aperture.value_or(-1.0);
+    name << take << " frame " << frame << " " << size << " " << static_cast<int>(looseNodesNamed(looseNodes))
+         << " " << choices.shutter << " " << choices.aperture.value_or(-1.0);
     for (const std::string& setting : allSettings()) name << " " << setting;
     return name.str();
   }
@@ -184,8 +195,9 @@ ExitStatus render(const RenderOptions& options) {
   frames->folder = std::filesystem::path(options.take).parent_path();
   const double fps = options.framesPerSecond > 0.0 ? options.framesPerSecond : frames->framesPerSecond;
   const double aspect = static_cast<double>(settings.width) / std::max(1, settings.height);
-  auto pictures =
-      ui::TakePictures::create(std::move(*frames), range->first, range->last, aspect, options.choices);
+  ui::PictureChoices choices = options.choices;
+  choices.looseNodes = looseNodesNamed(options.looseNodes);
+  auto pictures = ui::TakePictures::create(std::move(*frames), range->first, range->last, aspect, choices);
   if (!pictures) return complain(pictures.problem());
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGTERM, [](int) { interrupted = 1; });
@@ -194,70 +206,78 @@ ExitStatus render(const RenderOptions& options) {
   return complain(drawn.problem(), interrupted != 0 ? ExitStatus::failed : ExitStatus::wrongInput);
 }
 
-void addLooks(CLI::App& command, RenderOptions& options) {
-  addLooseNodes(command, options.choices.looseNodes);
-  // Short for --set view.picture...=NAME.
-  const auto shortFor = [&](const std::string& option, const std::string& path,
-                            const std::vector<std::string>& names, const std::string& help) {
-    command
-        .add_option_function<std::string>(
-            option, [&options, path](const std::string& name) { options.style.push_back(path + "=" + name); },
-            help)
-        ->check(CLI::IsMember(names));
-  };
-  shortFor("--surface", "view.picture.surface", modeling::EnumNames<modeling::PictureSurface>::names(),
-           "Of the cells, or the level surface of the nodes' potential field (default: the scene's)");
-  shortFor("--ground", "view.picture.ground.kind", modeling::EnumNames<modeling::GroundKind>::names(),
-           "What things stand on (default: the scene's)");
-  shortFor("--backdrop", "view.picture.backdrop.kind", modeling::EnumNames<modeling::BackdropKind>::names(),
-           "What is seen where there is nothing (default: the scene's)");
-  command.add_option_function<std::string>(
-      "--environment",
-      [&options](const std::string& image) {
-        const std::string path = std::filesystem::absolute(image).string();
-        options.style.push_back("view.picture.environment.image=\"" + path + "\"");
-      },
-      "Image of all around, OpenEXR, Radiance .hdr or PNG, that lights in place of the studio's lamps "
-      "(default: the scene's, which is looked for beside the take)");
-  command.add_option("--set", options.settings,
-                     "PATH=VALUE: a value of the scene, such as view.picture.ground.colour=[0.8,0.2,0.1]");
-  command
-      .add_option("--shutter", options.choices.shutter,
-                  "Share of a frame's time that the shutter is open: what moves is blurred")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command
-      .add_option("--aperture", options.choices.aperture,
-                  "Diameter of the lens, cm: what is not in focus is blurred (default: the scene's camera's)")
-      ->check(CLI::Range(0.0, 1e3));
+/// --NAME, short for --set view.picture...=VALUE.
+Option lookOption(const std::string& name, std::string& value, const std::vector<std::string>& names,
+                  const std::string& help) {
+  return {.name = name, .target = &value, .help = help + " (default: the scene's)", .oneOf = names};
+}
+
+/// What pictures look like.
+std::vector<Option> lookOptions(RenderOptions& options) {
+  return {
+      looseNodesOption(options.looseNodes),
+      lookOption("--surface", options.surface, modeling::EnumNames<modeling::PictureSurface>::names(),
+                 "Of the cells, or the level surface of the nodes' potential field"),
+      lookOption("--ground", options.ground, modeling::EnumNames<modeling::GroundKind>::names(),
+                 "What things stand on"),
+      lookOption("--backdrop", options.backdrop, modeling::EnumNames<modeling::BackdropKind>::names(),
+                 "What is seen where there is nothing"),
+      {"--environment", &options.environment,
+       "Image of all around, OpenEXR, Radiance .hdr or PNG, that lights in place of the studio's lamps "
+       "(default: the scene's, which is looked for beside the take)"},
+      {"--set", &options.settings,
+       "PATH=VALUE: a value of the scene, such as view.picture.ground.colour=[0.8,0.2,0.1]"},
+      {.name = "--shutter",
+       .target = &options.choices.shutter,
+       .help = "Share of a frame's time that the shutter is open: what moves is blurred",
+       .range = Range{0.0, 1.0},
+       .shownDefault = "0"},
+      {.name = "--aperture",
+       .target = &options.choices.aperture,
+       .help = "Diameter of the lens, cm: what is not in focus is blurred (default: the scene's camera's)",
+       .range = Range{0.0, 1e3}}};
+}
+
+std::vector<Option> renderOptions(RenderOptions& options) {
+  std::vector<Option> all = {
+      {.name = "take", .target = &options.take, .help = "The take", .required = true},
+      {.name = "--out",
+       .target = &options.out,
+       .help = "PNG file; with --frames, FILE.0012.png for frame 12; or a film of all frames by ffmpeg: "
+               ".mp4, .mov, .webm, .gif, .webp, .apng",
+       .required = true},
+      {"--time", &options.time, "The frame nearest to this time, s (default: the last)"},
+      {.name = "--frames",
+       .target = &options.frames,
+       .help = "Frames A:B, counted from 0",
+       .excludes = "--time"},
+      {.name = "--size",
+       .target = &options.size,
+       .help = "Width and height in pixels",
+       .shownDefault = options.size},
+      {.name = "--samples",
+       .target = &options.samples,
+       .help = "Paths a pixel: more is smoother and slower",
+       .shownDefault = std::to_string(options.samples)},
+      {.name = "--fps",
+       .target = &options.framesPerSecond,
+       .help = "Frames a second that a film shows (default: as many as were recorded a second)",
+       .positive = true},
+      {"--sixteen-bit", &options.sixteenBit, "16 bit a channel instead of 8"},
+      {"--resume", &options.resume,
+       "Go on with what an interrupted command left: pictures that are there are kept"}};
+  for (Option& option : lookOptions(options)) all.push_back(std::move(option));
+  return all;
 }
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program, ExitStatus& status) {
+Command renderCommand() {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = program.add_subcommand("render", "Draw ray-traced pictures of a take's frames");
-  command->add_option("take", options->take, "The take")->required();
-  command
-      ->add_option("--out", options->out,
-                   "PNG file; with --frames, FILE.0012.png for frame 12; or a film of all frames by ffmpeg: "
-                   ".mp4, .mov, .webm, .gif, .webp, .apng")
-      ->required();
-  CLI::Option* time =
-      command->add_option("--time", options->time, "The frame nearest to this time, s (default: the last)");
-  command->add_option("--frames", options->frames, "Frames A:B, counted from 0")->excludes(time);
-  command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
-  command->add_option("--samples", options->samples, "Paths a pixel: more is smoother and slower")
-      ->capture_default_str();
-  command
-      ->add_option("--fps", options->framesPerSecond,
-                   "Frames a second that a film shows (default: as many as were recorded a second)")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--sixteen-bit", options->sixteenBit, "16 bit a channel instead of 8");
-  command->add_flag("--resume", options->resume,
-                    "Go on with what an interrupted command left: pictures that are there are kept");
-  addLooks(*command, *options);
-  command->callback([options, &status] { status = render(*options); });
+  return {.name = "render",
+          .help = "Draw ray-traced pictures of a take's frames",
+          .options = renderOptions(*options),
+          .run = [options] { return render(*options); }};
 }
 
 }  // namespace app

@@ -6,19 +6,16 @@
 
 #include <tbb/info.h>
 
-#include "modeling/text/json_text.h"
 #include "modeling/text/text_file.h"
 #include "sim/methods/method_names.h"
 
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kLargestListed = 20;
 
 Json vectorJson(const sim::Vec3& vector) {
-  return {vector.x(), vector.y(), vector.z()};
+  return Json::Array{vector.x(), vector.y(), vector.z()};
 }
 
 std::string hexadecimal(std::uint64_t hash) {
@@ -90,25 +87,23 @@ Json reportOf(const ReportInput& input) {
                         {"angular", vectorJson(end.ledger.angularMomentum)}};
   report["work"] = workJson(simulation.work());
   report["work"]["nodes_unrecorded"] = input.recorder.nodesLeftOut();
-  const std::optional<double> firstBreak = input.recorder.firstBreak();
-  report["events"] = {{"first_break_s", firstBreak ? Json(*firstBreak) : Json(nullptr)},
-                      {"breaks", input.recorder.breaks()}};
+  report["events"] = {{"first_break_s", input.recorder.firstBreak()}, {"breaks", input.recorder.breaks()}};
   report["outcome"] = input.outcome;
   return report;
 }
 
 sim::Status writeReport(const Json& report, const std::filesystem::path& file) {
-  return modeling::replaceTextFile(file, modeling::jsonText(report));
+  return modeling::replaceTextFile(file, readable(report));
 }
 
 void printSummary(const Json& report) {
-  std::cout << "simulated     " << report["simulated_s"].get<double>() << " s in " << report["steps"]
-            << " steps\n"
-            << "fragments     " << report["fragments"] << ", " << report["isolated_nodes"]
+  const auto line = [&](const char* key) { return dumped(*report.find(key)); };
+  std::cout << "simulated     " << *report.numberAt("simulated_s") << " s in " << line("steps") << " steps\n"
+            << "fragments     " << line("fragments") << ", " << line("isolated_nodes")
             << " of them single nodes\n"
-            << "broken bonds  " << report["broken_bonds"] << '\n'
-            << "wall clock    " << report["wall_s"].get<double>() << " s\n"
-            << "state hash    " << report["state_hash"].get<std::string>() << '\n';
+            << "broken bonds  " << line("broken_bonds") << '\n'
+            << "wall clock    " << *report.numberAt("wall_s") << " s\n"
+            << "state hash    " << report.textAt("state_hash") << '\n';
 }
 
 }  // namespace app

@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "app/cli/recorder.h"
+#include "app/results/json.h"
 #include "modeling/scene/scene.h"
 #include "sim/dynamics/simulation.h"
 
@@ -23,12 +22,12 @@ struct ReportInput {
 };
 
 /// What a run came to (docs/formats.md, "Report"). cgs.
-nlohmann::ordered_json reportOf(const ReportInput& input);
+Json reportOf(const ReportInput& input);
 
 /// Replaces the file in one step.
-sim::Status writeReport(const nlohmann::ordered_json& report, const std::filesystem::path& file);
+sim::Status writeReport(const Json& report, const std::filesystem::path& file);
 
 /// The few numbers a person looks for, on standard output.
-void printSummary(const nlohmann::ordered_json& report);
+void printSummary(const Json& report);
 
 }  // namespace app

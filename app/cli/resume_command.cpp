@@ -1,11 +1,8 @@
-#include "app/cli/resume_command.h"
-
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/commands.h"
 #include "app/cli/frames.h"
 #include "app/cli/progress.h"
 #include "app/cli/running.h"
@@ -19,9 +16,9 @@ namespace {
 
 struct ResumeOptions {
   std::string take;
-  std::optional<std::size_t> from;  ///< frame
-  std::optional<double> time;       ///< s
-  std::string branch;               ///< file for a take beside the old one
+  std::optional<std::uint64_t> from;  ///< frame
+  std::optional<double> time;         ///< s
+  std::string branch;                 ///< file for a take beside the old one
   std::vector<std::string> settings;
   std::string report;
   std::optional<double> until;
@@ -172,39 +169,42 @@ ExitStatus resume(const ResumeOptions& options) {
                       {until, from->scene.solver.method, options.threads, options.report});
 }
 
+ExitStatus resumeOrBranch(const ResumeOptions& options) {
+  if (options.from || options.time) return branch(options);
+  if (options.branch.empty() && options.settings.empty()) return resume(options);
+  return complain({"command line", "--take and --set need a frame to go on from", "add --from or --time"});
+}
+
 }  // namespace
 
-void addResumeCommand(CLI::App& program, ExitStatus& status) {
-  CLI::App* command = program.add_subcommand("resume", "Go on with a run that was killed, or past its end");
+Command resumeCommand() {
   const auto options = std::make_shared<ResumeOptions>();
-  command
-      ->add_option("take", options->take,
-                   "What the run recorded; without --from or --time it is continued in place")
-      ->required();
-  CLI::Option* from = command->add_option("--from", options->from,
-                                          "Go on from this frame, counted from 0, in a take beside the old");
-  CLI::Option* time =
-      command->add_option("--time", options->time, "The same, from the frame nearest to these seconds")
-          ->excludes(from);
-  command->add_option("--take", options->branch, "File of the take beside the old");
-  command
-      ->add_option(
-          "--set", options->settings,
-          "PATH=VALUE: go on with a value of the scene changed, e.g. environment.gravity=[0,0,-4905]")
-      ->allow_extra_args(false);
-  command->add_option("--until", options->until, "Seconds; left out: what the run was started for")
-      ->check(CLI::Range(0.0, 1e9));
-  command->add_option("--report", options->report, "File for the report (JSON)");
-  command->add_option("--threads", options->threads, "0: all there are")->check(CLI::Range(0, kMostThreads));
-  command->callback([options, from, time, &status] {
-    const bool branches = *from || *time;
-    if (!branches && !(options->branch.empty() && options->settings.empty())) {
-      status =
-          complain({"command line", "--take and --set need a frame to go on from", "add --from or --time"});
-    } else {
-      status = branches ? branch(*options) : resume(*options);
-    }
-  });
+  // CLI11 from 2.4 on takes a word and an option of one name for the same, so the word is in capitals.
+  return {.name = "resume",
+          .help = "Go on with a run that was killed, or past its end",
+          .options = {{.name = "TAKE",
+                       .target = &options->take,
+                       .help = "What the run recorded; without --from or --time it is continued in place",
+                       .required = true},
+                      {"--from", &options->from,
+                       "Go on from this frame, counted from 0, in a take beside the old"},
+                      {.name = "--time",
+                       .target = &options->time,
+                       .help = "The same, from the frame nearest to these seconds",
+                       .excludes = "--from"},
+                      {"--take", &options->branch, "File of the take beside the old"},
+                      {.name = "--set",
+                       .target = &options->settings,
+                       .help = "PATH=VALUE: go on with a value of the scene changed, e.g. "
+                               "environment.gravity=[0,0,-4905]",
+                       .oneAtATime = true},
+                      {.name = "--until",
+                       .target = &options->until,
+                       .help = "Seconds; left out: what the run was started for",
+                       .range = Range{0.0, 1e9}},
+                      {"--report", &options->report, "File for the report (JSON)"},
+                      threadsOption(options->threads)},
+          .run = [options] { return resumeOrBranch(*options); }};
 }
 
 }  // namespace app

@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include <CLI/CLI.hpp>
-
 namespace app {
 namespace {
 
@@ -33,20 +31,22 @@ std::string listOf(const std::vector<std::string>& names) {
 
 }  // namespace
 
-void SceneOptions::addTo(CLI::App& command) {
-  command.add_option("scene", scene, "NAME.scene.json")->required();
-  command.add_option("--until", until, "Seconds to simulate, in place of output.duration");
-  command.add_option("--fps", fps, "Frames a second, in place of output.fps");
-  command.add_option("--seed", seed, "Of the random thresholds");
-  command.add_option("--method", method, "One of " + listOf(sim::methodNames()));
-  command.add_option("--precision", precision, "Of forces, one of " + listOf(sim::precisionNames()));
-  CLI::Option* fixed = command.add_option("--step", step, "Seconds, or auto");
-  command.add_option("--tolerance", tolerance, "Error of strain a shortest swing that the step keeps to")
-      ->excludes(fixed);
-  command
-      .add_option("--set", settings,
-                  "PATH=VALUE: change a value of the scene, e.g. environment.gravity=[0,0,-4905]")
-      ->allow_extra_args(false);
+std::vector<Option> SceneOptions::options() {
+  return {{.name = "scene", .target = &scene, .help = "NAME.scene.json", .required = true},
+          {"--until", &until, "Seconds to simulate, in place of output.duration"},
+          {"--fps", &fps, "Frames a second, in place of output.fps"},
+          {"--seed", &seed, "Of the random thresholds"},
+          {"--method", &method, "One of " + listOf(sim::methodNames())},
+          {"--precision", &precision, "Of forces, one of " + listOf(sim::precisionNames())},
+          {"--step", &step, "Seconds, or auto"},
+          {.name = "--tolerance",
+           .target = &tolerance,
+           .help = "Error of strain a shortest swing that the step keeps to",
+           .excludes = "--step"},
+          {.name = "--set",
+           .target = &settings,
+           .help = "PATH=VALUE: change a value of the scene, e.g. environment.gravity=[0,0,-4905]",
+           .oneAtATime = true}};
 }
 
 sim::Result<modeling::SceneFile> SceneOptions::load() const {

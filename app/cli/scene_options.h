@@ -3,11 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command.h"
 #include "modeling/scene/scene_file.h"
-
-namespace CLI {
-class App;
-}
 
 namespace app {
 
@@ -23,7 +20,8 @@ struct SceneOptions {
   std::string step;
   std::string tolerance;
 
-  void addTo(CLI::App& command);
+  /// The options, bound to this object, which has to outlive them.
+  std::vector<Option> options();
   /// The scene with everything laid over it. A Problem in an option's value names the option.
   sim::Result<modeling::SceneFile> load() const;
 };

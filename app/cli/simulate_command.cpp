@@ -1,11 +1,8 @@
-#include "app/cli/simulate_command.h"
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/commands.h"
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
 #include "modeling/scene/build.h"
@@ -66,14 +63,16 @@ ExitStatus simulate(const SimulateOptions& options) {
 
 }  // namespace
 
-void addSimulateCommand(CLI::App& program, ExitStatus& status) {
-  CLI::App* command = program.add_subcommand("simulate", "Build a scene, run it, record a take and a report");
+Command simulateCommand() {
   const auto options = std::make_shared<SimulateOptions>();
-  options->scene.addTo(*command);
-  command->add_option("--take", options->take, "File to record to");
-  command->add_option("--report", options->report, "File for the report (JSON)");
-  command->add_option("--threads", options->threads, "0: all there are")->check(CLI::Range(0, kMostThreads));
-  command->callback([options, &status] { status = simulate(*options); });
+  Command command{.name = "simulate",
+                  .help = "Build a scene, run it, record a take and a report",
+                  .options = options->scene.options(),
+                  .run = [options] { return simulate(*options); }};
+  command.options.push_back({"--take", &options->take, "File to record to"});
+  command.options.push_back({"--report", &options->report, "File for the report (JSON)"});
+  command.options.push_back(threadsOption(options->threads));
+  return command;
 }
 
 }  // namespace app

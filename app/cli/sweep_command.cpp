@@ -1,5 +1,3 @@
-#include "app/cli/sweep_command.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -7,9 +5,8 @@
 #include <optional>
 #include <thread>
 
-#include <CLI/CLI.hpp>
-
 #include "app/cli/child_processes.h"
+#include "app/cli/commands.h"
 #include "app/cli/progress.h"
 #include "app/cli/sweep_grid.h"
 #include "app/cli/sweep_results.h"
@@ -27,8 +24,8 @@ struct SweepOptions {
   std::vector<std::string> variations;
   std::vector<std::string> settings;
   std::string out;
-  std::size_t jobs = 1;
-  std::optional<std::size_t> only;
+  std::uint64_t jobs = 1;
+  std::optional<std::uint64_t> only;
   bool collect = false;
   bool slurm = false;
 };
@@ -68,16 +65,16 @@ sim::Status checkRuns(const SweepOptions& options, const SweepGrid& grid) {
 void runAll(const SweepOptions& options, const SweepGrid& grid) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t threads = std::max<std::size_t>(1, cores / options.jobs);
-  std::vector<Command> commands;
+  std::vector<ChildProcess> processes;
   for (std::size_t run = 0; run < grid.runs(); ++run) {
     if (options.only && *options.only != run) continue;
-    commands.push_back(
+    processes.push_back(
         {simulateWords(options, grid, run, threads), SweepFiles(options.out, run).log.string()});
   }
   Progress progress("sweep");
   std::size_t ended = 0;
-  runCommands(commands, options.jobs, [&](std::size_t, int) {
-    progress.show(static_cast<double>(++ended) / static_cast<double>(commands.size()));
+  runChildProcesses(processes, options.jobs, [&](std::size_t, int) {
+    progress.show(static_cast<double>(++ended) / static_cast<double>(processes.size()));
   });
 }
 
@@ -131,21 +128,28 @@ ExitStatus sweep(const SweepOptions& options) {
 
 }  // namespace
 
-void addSweepCommand(CLI::App& program, ExitStatus& status) {
+Command sweepCommand() {
   const auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = program.add_subcommand(
-      "sweep", "Run a scene with every combination of values; a table and a sheet of pictures");
-  command->add_option("scene", options->scene, "The scene")->required();
-  command->add_option("--vary", options->variations, "PATH=A,B,C; may be given several times")
-      ->required()
-      ->take_all();
-  command->add_option("--set", options->settings, "PATH=VALUE for all runs")->take_all();
-  command->add_option("--out", options->out, "Folder for takes, reports, table and pictures")->required();
-  command->add_option("--jobs", options->jobs, "Runs at a time")->check(CLI::Range(1, kMostThreads));
-  command->add_option("--only", options->only, "Only the run of this number, from 0; no table");
-  command->add_flag("--collect", options->collect, "Table and pictures of runs that have ended");
-  command->add_flag("--slurm", options->slurm, "Write a job array for Slurm instead of running");
-  command->callback([options, &status] { status = sweep(*options); });
+  return {.name = "sweep",
+          .help = "Run a scene with every combination of values; a table and a sheet of pictures",
+          .options = {{.name = "scene", .target = &options->scene, .help = "The scene", .required = true},
+                      {.name = "--vary",
+                       .target = &options->variations,
+                       .help = "PATH=A,B,C; may be given several times",
+                       .required = true},
+                      {"--set", &options->settings, "PATH=VALUE for all runs"},
+                      {.name = "--out",
+                       .target = &options->out,
+                       .help = "Folder for takes, reports, table and pictures",
+                       .required = true},
+                      {.name = "--jobs",
+                       .target = &options->jobs,
+                       .help = "Runs at a time",
+                       .range = Range{1.0, kMostThreads}},
+                      {"--only", &options->only, "Only the run of this number, from 0; no table"},
+                      {"--collect", &options->collect, "Table and pictures of runs that have ended"},
+                      {"--slurm", &options->slurm, "Write a job array for Slurm instead of running"}},
+          .run = [options] { return sweep(*options); }};
 }
 
 }  // namespace app

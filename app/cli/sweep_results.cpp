@@ -2,10 +2,9 @@
 
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
 #include "app/cli/contact_sheet.h"
 #include "app/cli/progress.h"
+#include "app/results/json.h"
 #include "modeling/text/text_output.h"
 #include "sim/take/take.h"
 #include "ui/picture/take_pictures.h"
@@ -15,7 +14,6 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr int kPictureWidth = 240;
 constexpr int kPictureHeight = 180;
@@ -28,13 +26,18 @@ constexpr std::array<const char*, 9> kColumns{"outcome",      "fragments",    "i
 
 Json reportOf(const fs::path& file) {
   std::ifstream stream(file);
-  Json report = Json::parse(stream, nullptr, false);
-  return report.is_object() ? report : Json::object();
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parseJson(text).value_or(Json());
 }
 
 Json valueOf(const std::string& text) {
-  Json value = Json::parse(text, nullptr, false);
-  return value.is_discarded() ? Json(text) : value;
+  return parseJson(text).value_or(Json(text));
+}
+
+/// The member, or null where there is none.
+Json memberOf(const Json& object, std::string_view key) {
+  const Json* const member = object.find(key);
+  return member == nullptr ? Json() : *member;
 }
 
 Json rowOf(const SweepGrid& grid, std::size_t run, const fs::path& folder) {
@@ -42,45 +45,44 @@ Json rowOf(const SweepGrid& grid, std::size_t run, const fs::path& folder) {
   const auto values = grid.valuesOf(run);
   for (std::size_t v = 0; v < values.size(); ++v) row[grid.variations()[v].path] = valueOf(values[v]);
   const Json report = reportOf(SweepFiles(folder, run).report);
-  for (const char* const key : kColumns) row[key] = report.value(key, Json());
-  const Json events = report.value("events", Json::object());
-  row["first_break_s"] = events.value("first_break_s", Json());
-  row["breaks"] = events.value("breaks", Json());
-  row["max_rise"] = report.value("energy", Json::object()).value("max_rise", Json());
-  if (row["outcome"].is_null())
+  for (const char* const key : kColumns) row[key] = memberOf(report, key);
+  const Json events = memberOf(report, "events");
+  row["first_break_s"] = memberOf(events, "first_break_s");
+  row["breaks"] = memberOf(events, "breaks");
+  row["max_rise"] = memberOf(memberOf(report, "energy"), "max_rise");
+  if (row["outcome"].get<Json::Null>() != nullptr)
     row["outcome"] = "no report: see " + SweepFiles(folder, run).log.filename().string();
   return row;
 }
 
 /// As spreadsheets read it: in quotes where it holds a comma, a quote or a line's end.
 std::string cellOf(const Json& value) {
-  if (value.is_null()) return "";
-  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  if (value.get<Json::Null>() != nullptr) return "";
+  const auto* const words = value.get<std::string>();
+  const std::string text = words != nullptr ? *words : dumped(value);
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
   return quoted + "\"";
 }
 
-sim::Status writeTables(const Json& rows, const fs::path& folder) {
+/// The cells, with commas between.
+template <class Cell>
+std::string lineOf(const Json& row, Cell cell) {
+  std::string line;
+  for (const JsonMember& member : *row.get<Json::Object>()) line += cell(member) + ",";
+  line.back() = '\n';
+  return line;
+}
+
+sim::Status writeTables(const Json::Array& rows, const fs::path& folder) {
   modeling::TextOutput json(folder / "sweep.json");
-  json << rows.dump(1) << "\n";
+  json << dumped(rows, 1) << "\n";
   if (auto status = json.finish(); !status) return status;
   modeling::TextOutput csv(folder / "sweep.csv");
-  bool first = true;
-  for (const auto& [key, value] : rows[0].items()) {
-    csv << (first ? "" : ",") << cellOf(key);
-    first = false;
-  }
-  for (const Json& row : rows) {
-    csv << "\n";
-    first = true;
-    for (const auto& [key, value] : row.items()) {
-      csv << (first ? "" : ",") << cellOf(value);
-      first = false;
-    }
-  }
-  csv << "\n";
+  csv << lineOf(rows.front(), [](const JsonMember& member) { return cellOf(member.key); });
+  for (const Json& row : rows)
+    csv << lineOf(row, [](const JsonMember& member) { return cellOf(member.value); });
   return csv.finish();
 }
 
@@ -116,13 +118,13 @@ SweepFiles::SweepFiles(const fs::path& folder, std::size_t run) {
 }
 
 sim::Result<std::size_t> collectResults(const SweepGrid& grid, const fs::path& folder) {
-  Json rows = Json::array();
+  Json::Array rows;
   ContactSheet sheet(kPictureWidth, kPictureHeight, grid.columns(), grid.runs());
   Progress progress("pictures");
   std::size_t failed = 0;
   for (std::size_t run = 0; run < grid.runs(); ++run) {
     rows.push_back(rowOf(grid, run, folder));
-    if (rows.back()["outcome"] != "done") ++failed;
+    if (rows.back().textAt("outcome") != "done") ++failed;
     if (const auto picture = pictureOf(SweepFiles(folder, run).take)) {
       sheet.place(run, *picture);
     } else {

@@ -42,7 +42,7 @@ struct Calibration {
       threshold;  ///< the middle (geometric) of those that break after the impact; absent: none did
 };
 
-/// Finds the threshold of a material as the paper did (section "Breakage tuning", P23): small hollow
+/// Finds the threshold of a material as the paper did (section "Breakage tuning"): small hollow
 /// cylinders are dropped at a moderate speed with thresholds from that at which nothing breaks down to that
 /// at which they crumble at the impact; the wanted one makes them break from the distortion that follows it.
 /// `watch` is called after each trial; false stops.

@@ -8,8 +8,7 @@
 #include "sim/dynamics/simulation.h"
 #include "sim/take/take.h"
 
-/// Going on from any frame of a take (B14), as it was or under other conditions, as a new take beside the
-/// old.
+/// Going on from any frame of a take, as it was or under other conditions, as a new take beside the old.
 namespace modeling {
 
 /// Told how much is done, from 0 to 1; false stops.

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <map>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/frame_loop.h"

@@ -151,8 +151,8 @@ void addMotion(const LammpsModel& model, Script& script) {
     script.line("fix gravity moving gravity " + number(gravity.norm()) + " vector " + spaced(gravity));
 }
 
-/// k X + d V with friction, as ours (P8, P10): `h` is the height of a node above the surface, `n` the way
-/// out.
+/// k X + d V with friction, as in docs/numerics.md, Contact 5 and Contact 6: `h` is the height of a node
+/// above the surface, `n` the way out.
 void addPush(const std::string& id, const sim::Collider& collider, double step, Script& script) {
   const auto v = [&](const char* name) { return std::string("v_").append(name).append(id); };
   script.variable("k" + id, collider.stiffness ? number(*collider.stiffness) + "+0*x" : "c_contact")

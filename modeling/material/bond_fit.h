@@ -7,8 +7,8 @@
 #include "modeling/material/material.h"
 #include "modeling/shapes/quality.h"
 
-/// Bond stiffness that makes each cell, however distorted, as stiff as its volume of the continuum (B6;
-/// docs/numerics.md).
+/// Bond stiffness that makes each cell, however distorted, as stiff as its volume of the continuum
+/// (docs/numerics.md, "Bonds of distorted cells").
 namespace modeling {
 
 inline constexpr std::size_t kPairsPerCell = 28;

@@ -13,7 +13,7 @@
 /// (1 GPa = 1e10 dyn/cm^2; 1 MPa m^(1/2) = 1e8 dyn/cm^(3/2)).
 namespace modeling {
 
-/// Which of a cell's 28 corner pairs carry a bond (P5).
+/// Which of a cell's 28 corner pairs carry a bond (docs/numerics.md, "Bonds of a lattice of cubes").
 enum class BondPattern {
   full,   ///< 12 edges, 12 face diagonals, 4 body diagonals: rigid and isotropic (default)
   fig1,   ///< the paper's Fig. 1: 12 edges, 4 body diagonals. Three hourglass motions cost no energy
@@ -47,7 +47,7 @@ struct Look {
   bool operator==(const Look&) const = default;
 };
 
-/// Break strain of the bonds, stated directly (P14).
+/// Break strain of the bonds, stated directly (docs/numerics.md, Breaking 2).
 struct ThresholdSpec {
   std::optional<double> mean;  ///< stretch past rest length, relative; absent: from strength or toughness
   double spread = 0.0;         ///< standard deviation relative to the mean, whatever the mean comes from
@@ -55,7 +55,7 @@ struct ThresholdSpec {
   bool operator==(const ThresholdSpec&) const = default;
 };
 
-/// Plastic flow (P2).
+/// Plastic flow: the rest length of a bond that varies in time (paper, "Dynamic solid models").
 struct Plastic {
   double yieldStrain = 0.0;  ///< |strain| above which a bond's rest length flows
   double rate = 0.0;         ///< 1/s: share of the excess strain that flows a second

@@ -24,8 +24,8 @@ struct PoorCell {
   double aspect = 0.0;               ///< longest over shortest edge
 };
 
-/// What is known of a run before it begins (B7). Of times and of the take's size, an estimate by how it
-/// starts: what breaks later costs more, what comes to rest costs less.
+/// What is known of a run before it begins. Times and the size of the take are estimated by how the run
+/// starts: what breaks later costs more, and what comes to rest costs less.
 struct Preflight {
   std::size_t nodes = 0;
   std::size_t bonds = 0;

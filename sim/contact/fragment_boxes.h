@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// Boxes of fragments along the axes, in which whatever may touch is looked for first (B4): nodes are
+/// Boxes of fragments along the axes, in which whatever may touch is looked for first: nodes are
 /// compared only where boxes come near each other. Made anew in one pass over the nodes, cheaper than looking
 /// who moved.
 class FragmentBoxes {

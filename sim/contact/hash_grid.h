@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// Space cut into cubes, kept in a hash table (paper, "Collision detection"; P12). Each cube is tagged with
+/// Space cut into cubes, kept in a hash table (paper, "Collision detection"). Each cube is tagged with
 /// the fragment its nodes belong to, or as mixed, so that cubes of one fragment only are never compared. Cost
 /// linear in nodes.
 class HashGrid {

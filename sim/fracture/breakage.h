@@ -8,9 +8,9 @@
 
 namespace sim {
 
-/// Which bonds and cells are whole, and how breaking spreads (paper, "Cells"; P14, P15): when a bond breaks,
-/// every cell that contains it is broken; when every cell that contains a bond is broken, that bond breaks
-/// too. A cell contains every bond between two of its corners. A bond in no cell breaks alone.
+/// Which bonds and cells are whole, and how breaking spreads (docs/numerics.md, Breaking 3): when a bond
+/// breaks, every cell that contains it is broken; when every cell that contains a bond is broken, that bond
+/// breaks too. A cell contains every bond between two of its corners. A bond in no cell breaks alone.
 class Breakage {
  public:
   explicit Breakage(const Network& network);

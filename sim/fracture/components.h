@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// Birth record of a fragment: a connected component of the graph of whole bonds (paper, "Collision
-/// detection"; P11).
+/// Birth record of a fragment: a connected component of the graph of whole bonds (docs/numerics.md,
+/// Breaking 7).
 struct FragmentBirth {
   FragmentId parent = kNone;  ///< kNone: there from the start
   double born = 0.0;          ///< s

@@ -10,7 +10,7 @@
 
 namespace sim {
 
-/// How each fragment moves, and which lanes of the lattice the kernel has to work on for it (B4). All nodes
+/// How each fragment moves, and which lanes of the lattice the kernel has to work on for it. All nodes
 /// of a fragment move alike, and bonds join nodes of one fragment, so a bond is evaluated from both ends or
 /// from none.
 class Activity {

@@ -11,7 +11,7 @@
 
 namespace sim {
 
-/// A fragment that flies freely and has no strain to speak of, moved as one rigid body (B4). It keeps the
+/// A fragment that flies freely and has no strain to speak of, moved as one rigid body. It keeps the
 /// shape it has, and its momentum and angular momentum to rounding; its vibration is dropped.
 ///
 /// The centre moves by the method's own recurrence, so that under gravity it goes exactly where the nodes

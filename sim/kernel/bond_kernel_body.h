@@ -3,7 +3,7 @@
 // The kernel's source, included by bond_kernel_plain.cpp, _avx2.cpp and _avx512.cpp, each compiled for its
 // own instruction set, with SMITHEREENS_KERNEL the namespace.
 //
-// Force on a node from its neighbour (paper, "Internal forces"; P3): along e = (x_j - x_i) / r,
+// Force on a node from its neighbour (paper, "Dynamics"): along e = (x_j - x_i) / r,
 //   f = k (r - l) + d (v_j - v_i) . e.
 // The dampers' force is summed apart so that the work done against them over the step, f_d . (v + v') / 2
 // kick, is exact in the discrete motion, and the energy ledger closes.
@@ -125,7 +125,7 @@ SMITHEREENS_INLINE Constants constantsOf(const KernelStep& step, const BondSlot&
           load(lanes.damping + lane) * material.dampingScale};
 }
 
-/// Viscoplastic flow (P2): the rest length moves towards the present length by a share of the strain beyond
+/// Viscoplastic flow: the rest length moves towards the present length by a share of the strain beyond
 /// yield. Both ends compute the same length from the same numbers, so their two copies stay equal.
 SMITHEREENS_INLINE Real flow(const KernelStep& step, const BondSlot& slot, std::size_t lane, const Mask& live,
                              const Real& length, const Constants& constants) {

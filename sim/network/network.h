@@ -19,8 +19,8 @@ inline constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
 struct Material {
   std::string name;
   double thresholdMean = kUnbreakable;  ///< t_ij of the paper: breaks when stretched past (1 + t) rest length
-  double thresholdSpread = 0.0;         ///< standard deviation of t relative to its mean (P14)
-  double yieldStrain = kUnbreakable;  ///< |strain| above which the rest length flows (P2); infinite: elastic
+  double thresholdSpread = 0.0;         ///< standard deviation of t relative to its mean
+  double yieldStrain = kUnbreakable;    ///< |strain| above which the rest length flows; infinite: elastic
   double flowRate = 0.0;  ///< 1/s: share of the excess strain by which the rest length flows a second
 
   bool operator==(const Material&) const = default;

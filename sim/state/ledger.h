@@ -9,7 +9,8 @@
 
 namespace sim {
 
-/// The account of energy (B3): what flowed where since the start, and whether it adds up.
+/// The account of energy (docs/numerics.md, "Energy"): what flowed where since the start, and whether it adds
+/// up.
 ///
 /// The dampers' and frictions' work is exact in the discrete motion (see bond_kernel_body.h), so the residual
 /// holds what the time step itself gets wrong, and nothing else.

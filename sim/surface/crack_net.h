@@ -23,8 +23,8 @@ struct WholeOutside {
 
 /// The surfaces in which the pieces of one body meet, at rest: spanned between the middles of edges, of sides
 /// and of cells, and smoothed, so that a crack does not show the staircase of the cells (the paper's own
-/// complaint, section "Results"). Both sides of a crack have the very same points, so that pieces fit each
-/// other exactly, whatever smoothing does.
+/// complaint, section "Breakage appearance"). Both sides of a crack have the very same points, so that pieces
+/// fit each other exactly, whatever smoothing does.
 ///
 /// A collapsed side of a wedge meets in the middle of the edge that is left of it.
 ///

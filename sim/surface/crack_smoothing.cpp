@@ -112,7 +112,7 @@ class Mover {
   Eigen::Matrix3d along_;     ///< onto the outside, or an edge of the body
 };
 
-/// Where smoothing put a vertex, brought back onto the curved outside.
+/// Where smoothing put the vertex, brought back onto the curved outside.
 Vec3 onOutside(const CellComplex& complex, const WholeOutside& whole, const CrackNet::Vertex& vertex) {
   const Network& network = complex.network();
   Vec3 nearest = vertex.start;

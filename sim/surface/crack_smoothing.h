@@ -7,8 +7,9 @@
 
 namespace sim {
 
-/// Moves the vertices of cracks, each towards the middle of its neighbours along the interfaces, so that the
-/// staircase of the cells does not show. What CrackNet says of how far they may go holds.
+/// Moves the vertices in which pieces meet towards the middle of their neighbours, as far as each may go
+/// (CrackNet), so that a crack does not show the staircase of the cells. Those on the outside end on the
+/// outside as CurvedFaces curves it.
 void smoothCracks(const CellComplex& complex, const WholeOutside& whole,
                   std::span<const CrackNet::Interface> interfaces, std::vector<CrackNet::Vertex>& vertices);
 

@@ -36,6 +36,27 @@ tests::Answer simulate(const PlateFolder& folder, const std::string& name, const
                        " --report " + folder.file(name + ".json") + " " + options);
 }
 
+TEST_CASE("each command explains itself in words that can be read") {
+  const auto isReadable = [](unsigned char letter) {
+    return letter == '\n' || (letter >= ' ' && letter < 0x7f);
+  };
+  const auto main = tests::runCli("--help");
+  REQUIRE(main.status == 0);
+  for (const std::string command :
+       {"simulate", "resume", "info", "render", "export", "import-lammps", "sweep", "calibrate", "bench",
+        "bench throughput", "bench accuracy", "bench all"}) {
+    INFO(command);
+    CHECK(main.output.find("  " + command.substr(0, command.find(' '))) != std::string::npos);
+    const auto answer = tests::runCli(command + " --help");
+    CHECK(answer.status == 0);
+    CHECK(answer.errors.empty());
+    CHECK(answer.output.find("smithereens-cli " + command) != std::string::npos);
+    CHECK(std::all_of(answer.output.begin(), answer.output.end(), isReadable));
+  }
+  CHECK_THAT(tests::runCli("export --help").output,
+             Catch::Contains("{shards,tetrahedra,spheres,given-to-neighbours}=shards"));
+}
+
 TEST_CASE("a run leaves a report with everything it promises") {
   const PlateFolder folder;
   const auto answer = simulate(folder, "run", "");

@@ -11,8 +11,20 @@ namespace {
 
 /// In the order of the arrows. Tests stand behind all rooms.
 constexpr std::array<std::string_view, 5> kRooms = {"sim", "modeling", "ui", "app", "tests"};
-constexpr std::array<std::string_view, 3> kOtherFolders = {".ci", "docs", "resources"};
+constexpr std::array<std::string_view, 4> kOtherFolders = {".ci", "docs", "findings", "resources"};
 constexpr std::array<std::string_view, 3> kScripts = {".ci/run", "app/run", "tests/run"};
+/// The folders of a room form a ladder: each may include those that stand before it here.
+struct Ladder {
+  std::string_view room;
+  std::string_view folders;
+};
+constexpr std::array<Ladder, 3> kLadders = {
+    {{"sim",
+      "base collider network state surface kernel fracture fragments contact control world skipping passes "
+      "methods "
+      "dynamics take"},
+     {"modeling", "text shapes material glue assembly import kinds scene preflight calibration run exchange"},
+     {"ui", "theme plot picture document kinds session viewport timeline panels editors files window"}}};
 // In two halves, so that this file does not hold the words it looks for.
 constexpr std::array<std::string_view, 4> kNotes = {
     "TO"
@@ -78,6 +90,40 @@ bool holdsWord(std::string_view line, std::string_view word) {
     const auto behind = at + word.size();
     if ((at == 0 || !isLetter(line[at - 1])) && (behind == line.size() || !isLetter(line[behind])))
       return true;
+  }
+  return false;
+}
+
+/// The folder below the top one: "contact" of "sim/contact/contacts.h"; "" where there is none.
+std::string_view secondFolder(std::string_view path) {
+  const auto first = path.find('/');
+  const auto second = first == std::string_view::npos ? first : path.find('/', first + 1);
+  return second == std::string_view::npos ? "" : path.substr(first + 1, second - first - 1);
+}
+
+/// Place of a word in a list of words; nothing where it is not there.
+std::optional<std::size_t> placeIn(std::string_view words, std::string_view wanted) {
+  std::size_t place = 0;
+  while (!words.empty()) {
+    const auto end = std::min(words.find(' '), words.size());
+    if (words.substr(0, end) == wanted) return place;
+    words.remove_prefix(std::min(end + 1, words.size()));
+    ++place;
+  }
+  return std::nullopt;
+}
+
+/// A capital P or B and a number of one or two digits, as a word.
+bool holdsCode(std::string_view line) {
+  const auto isDigit = [&](std::size_t at) {
+    return at < line.size() && std::isdigit(static_cast<unsigned char>(line[at])) != 0;
+  };
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] != 'P' && line[at] != 'B') continue;
+    if (at > 0 && (isLetter(line[at - 1]) || line[at - 1] == '_')) continue;
+    if (!isDigit(at + 1)) continue;
+    const std::size_t end = isDigit(at + 2) ? at + 3 : at + 2;
+    if (end == line.size() || (!isLetter(line[end]) && line[end] != '_')) return true;
   }
   return false;
 }
@@ -156,6 +202,39 @@ Offences includesAgainstTheArrows(const std::vector<File>& tree) {
   return offences;
 }
 
+Offences includesAgainstTheLadder(const std::vector<File>& tree) {
+  Offences offences;
+  forEachInclude(tree, [&](const File& file, std::size_t line, std::ptrdiff_t, const std::string& included) {
+    for (const Ladder& ladder : kLadders) {
+      if (topFolder(file.path) != ladder.room || topFolder(included) != ladder.room) continue;
+      const auto from = placeIn(ladder.folders, secondFolder(file.path));
+      const auto to = placeIn(ladder.folders, secondFolder(included));
+      if (from && to && *to > *from)
+        offences.push_back({file.path, line, "includes " + included + " up the ladder"});
+    }
+  });
+  for (const File& file : tree) {
+    if (!isSource(file) && !isHeader(file)) continue;
+    for (const Ladder& ladder : kLadders) {
+      if (topFolder(file.path) == ladder.room && !placeIn(ladder.folders, secondFolder(file.path)))
+        offences.push_back({file.path, 0, "stands in a folder that is on no ladder"});
+    }
+  }
+  return offences;
+}
+
+Offences codesForRules(const std::vector<File>& tree) {
+  Offences offences;
+  for (const File& file : tree) {
+    if (!isSource(file) && !isHeader(file) && !file.path.ends_with(".md")) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      if (holdsCode(file.lines[i]))
+        offences.push_back({file.path, i + 1, "cites a rule by a code, not by its name"});
+    }
+  }
+  return offences;
+}
+
 Offences librariesInTheWrongRoom(const std::vector<File>& tree) {
   Offences offences;
   forEachInclude(
@@ -215,8 +294,9 @@ Offences scriptsThatDoNotRun(const std::vector<File>& tree) {
     if (!found) offences.push_back({std::string(script), 0, "is missing"});
   }
   for (const File& file : tree) {
-    const bool isScript =
-        contains(kScripts, file.path) || (!file.lines.empty() && file.lines.front().starts_with("#!"));
+    const bool isFinding = topFolder(file.path) == "findings" && file.path.ends_with(".sh");
+    const bool isScript = isFinding || contains(kScripts, file.path) ||
+                          (!file.lines.empty() && file.lines.front().starts_with("#!"));
     if (isScript && !file.executable)
       offences.push_back({file.path, 0, "is a script that may not be executed"});
   }

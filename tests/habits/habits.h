@@ -17,18 +17,26 @@ struct Offence {
   std::string text() const;
 };
 
-/// Top-level folders are app, docs, modeling, resources, sim, tests, ui and .ci.
+/// Top-level folders are app, docs, findings, modeling, resources, sim, tests, ui and .ci.
 std::vector<Offence> strayFolders(const std::vector<File>& tree);
 /// sim <- modeling <- ui <- app: a room includes itself and the rooms before it, by paths from the root.
 std::vector<Offence> includesAgainstTheArrows(const std::vector<File>& tree);
+/// The folders of sim, modeling and ui form a ladder each: a folder includes itself and those before it.
+std::vector<Offence> includesAgainstTheLadder(const std::vector<File>& tree);
 /// Each library is used from one room on: no Qt in sim or modeling, no JSON in sim, and so on.
 std::vector<Offence> librariesInTheWrongRoom(const std::vector<File>& tree);
 /// Loops run in parallel by sim/base/parallel.h, which the thread sanitizer can follow.
 std::vector<Offence> parallelLoopsOfTheirOwn(const std::vector<File>& tree);
 /// Work that is left is no comment in the code.
 std::vector<Offence> notesToSelf(const std::vector<File>& tree);
+/// Rules are cited by the section that states them, not by codes such as a letter and a number, which nobody
+/// can look up.
+std::vector<Offence> codesForRules(const std::vector<File>& tree);
+/// The member functions of a class that a header declares are defined in one source.
+std::vector<Offence> cutClasses(const std::vector<File>& tree);
 std::vector<Offence> longFiles(const std::vector<File>& tree, std::size_t mostLines);
-/// app/run, tests/run and .ci/run are there, and whatever begins with #! may be executed.
+/// app/run, tests/run and .ci/run are there; whatever begins with #! may be executed, and so may
+/// findings/*.sh.
 std::vector<Offence> scriptsThatDoNotRun(const std::vector<File>& tree);
 std::vector<Offence> headersWithoutGuard(const std::vector<File>& tree);
 /// Sources are listed by hand: a forgotten one would be a test that never runs.

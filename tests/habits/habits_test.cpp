@@ -38,6 +38,7 @@ TEST_CASE("the top-level folders are the architecture's") {
   checkNone(habits::strayFolders(ourTree()));
   CHECK(habits::strayFolders(treeOf("util/misc.cpp", "")).size() == 1);
   CHECK(habits::strayFolders(treeOf("README.md", "")).empty());
+  CHECK(habits::strayFolders(treeOf("findings/README.md", "")).empty());
 }
 
 TEST_CASE("rooms include along the arrows only") {
@@ -52,6 +53,24 @@ TEST_CASE("rooms include along the arrows only") {
   CHECK(offencesOf("sim/base/a.cpp", "#include \"../b.h\"") == 1);
   CHECK(offencesOf("ui/a.cpp", "#include \"sim/b.h\"") == 0);
   CHECK(offencesOf("tests/sim/a.cpp", "#include \"app/b.h\"") == 0);
+}
+
+TEST_CASE("folders of a room include down the ladder only") {
+  checkNone(habits::includesAgainstTheLadder(ourTree()));
+  const auto offencesOf = [](const std::string& path, const std::string& line) {
+    return habits::includesAgainstTheLadder(treeOf(path, line)).size();
+  };
+  CHECK(offencesOf("sim/contact/a.h", "#include \"sim/dynamics/b.h\"") == 1);
+  CHECK(offencesOf("modeling/shapes/a.cpp", "#include \"modeling/scene/b.h\"") == 1);
+  CHECK(offencesOf("ui/session/a.cpp", "#include \"ui/window/b.h\"") == 1);
+  CHECK(offencesOf("sim/dynamics/a.cpp", "#include \"sim/contact/b.h\"") == 0);
+  CHECK(offencesOf("sim/contact/a.cpp", "#include \"sim/contact/b.h\"") == 0);
+  CHECK(offencesOf("ui/picture/compat/embree3/a.h", "#include \"ui/picture/b.h\"") == 0);
+  // A ladder is of one room: names of folders may come again in another.
+  CHECK(offencesOf("ui/theme/a.cpp", "#include \"modeling/exchange/b.h\"") == 0);
+  CHECK(offencesOf("tests/sim/a.cpp", "#include \"tests/ui/b.h\"") == 0);
+  CHECK(offencesOf("sim/misc/a.cpp", "") == 1);
+  CHECK(offencesOf("sim/a.cpp", "") == 1);
 }
 
 TEST_CASE("no room uses a library that is not its own") {
@@ -83,6 +102,43 @@ TEST_CASE("nobody leaves notes to himself") {
   CHECK(habits::notesToSelf(treeOf("sim/a.cpp", "int s" + note + "S;")).empty());
 }
 
+TEST_CASE("rules are cited by name") {
+  checkNone(habits::codesForRules(ourTree()));
+  const auto offencesOf = [](const std::string& path, const std::string& line) {
+    return habits::codesForRules(treeOf(path, line)).size();
+  };
+  // In two halves, so that this file does not cite one itself.
+  const std::string code = std::string("P") + "9";
+  const std::string other = std::string("B") + "14";
+  CHECK(offencesOf("sim/a.h", "/// Contact of two nodes (" + code + ").") == 1);
+  CHECK(offencesOf("docs/a.md", "as " + other + " says") == 1);
+  CHECK(offencesOf("sim/a.h", "/// docs/numerics.md, Contact 2") == 0);
+  CHECK(offencesOf("sim/a.cpp", "int m" + code + ", " + code + "x, " + code + "_, " + code + "12;") == 0);
+  CHECK(offencesOf("resources/a.obj", code) == 0);
+}
+
+TEST_CASE("a class is defined in one source") {
+  checkNone(habits::cutClasses(ourTree()));
+  const auto offencesOf = [](const std::string& first, const std::string& second) {
+    return habits::cutClasses({File{"sim/a.h", {"class Part {", "  class Piece;"}, false},
+                               File{"sim/a.cpp", {first, "}"}, false},
+                               File{"sim/b.cpp", {second, "}"}, false},
+                               File{"ui/b.cpp", {"void Part::draw() {", "}"}, false}})
+        .size();
+  };
+  CHECK(offencesOf("void Part::move() {", "Part::Part(int size)") == 1);
+  CHECK(offencesOf("Part::~Part() {", "const Part::Piece& Part::piece() const {") == 1);
+  CHECK(offencesOf("sim::Result<Part> Part::create(int size,", "bool Part::operator()(int size) {") == 1);
+  CHECK(offencesOf("void Part::Piece::turn() {", "bool Part::Piece::turned() const {") == 1);
+  // The class inside has a source of its own; other lines define nothing of it.
+  CHECK(offencesOf("void Part::move() {", "void Part::Piece::turn() {") == 0);
+  CHECK(offencesOf("void Part::move() {", "const Part kPart = Part::create(1);") == 0);
+  CHECK(offencesOf("void Part::move() {", "  Part::create(1);") == 0);
+  CHECK(offencesOf("void Part::move() {", "void move(const Part::Piece& piece) {") == 0);
+  // What no header declares may have the same name in several sources.
+  CHECK(offencesOf("void Other::move() {", "void Other::turn() {") == 0);
+}
+
 TEST_CASE("files fit a head") {
   checkNone(habits::longFiles(ourTree(), kMostLines));
   const Tree tree = {File{"sim/a.cpp", std::vector<std::string>(kMostLines + 1), false},
@@ -102,6 +158,9 @@ TEST_CASE("the scripts run") {
   forbidden[1].executable = false;
   CHECK(habits::scriptsThatDoNotRun(forbidden).size() == 1);
   CHECK(habits::scriptsThatDoNotRun({}).size() == 3);
+  Tree finding = whole;
+  finding.push_back(File{"findings/surprise.sh", {"set -e"}, false});
+  CHECK(habits::scriptsThatDoNotRun(finding).size() == 1);
 }
 
 TEST_CASE("headers are read once") {

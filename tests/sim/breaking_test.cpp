@@ -35,7 +35,7 @@ sim::Blueprint brokenWithinOneFragment(const tests::Pair& pair) {
 }
 
 TEST_CASE("a broken bond never pulls, still pushes when shorter than its rest length, and damps only then") {
-  // The oracle: the same leapfrog of the one distance, with the force the paper states (P4).
+  // The oracle: the same leapfrog of the one distance, with the force of docs/numerics.md, Breaking 4.
   const double damping = GENERATE(0.0, 5.0);
   const double approach = GENERATE(30.0, -30.0);
   const tests::Pair pair{.damping = damping, .distance = 1.2, .approach = approach, .threshold = 0.1};
@@ -164,7 +164,8 @@ TEST_CASE("thresholds scatter about their mean by the seed alone") {
   CHECK(std::abs(together / squares) < 4.0 / std::sqrt(count));
 }
 
-/// Every whole bond of a body of cells has a whole cell, and no whole cell has a broken bond (P15).
+/// Every whole bond of a body of cells has a whole cell, and no whole cell has a broken bond
+/// (docs/numerics.md, Breaking 3).
 void checkNoStrings(const sim::Network& network, const std::vector<std::uint8_t>& brokenBonds,
                     const std::vector<std::uint8_t>& brokenCells) {
   std::vector<std::uint8_t> hasWholeCell(network.bondCount(), 0);

@@ -100,7 +100,7 @@ TEST_CASE("a thrown node follows each method's own parabola") {
   constexpr double n = kSteps;
   CHECK(fallen(Method::velocityVerlet) == Approx(n * n).epsilon(1e-10));
   CHECK(fallen(Method::symplecticEuler) == Approx(n * (n + 1)).epsilon(1e-10));
-  // R uses the old V (P7).
+  // The position moves by the old velocity (paper, "Dynamics").
   CHECK(fallen(Method::forwardEuler) == Approx(n * (n - 1)).epsilon(1e-10));
 }
 

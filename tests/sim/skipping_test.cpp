@@ -9,7 +9,7 @@
 #include "sim/fragments/rigid_body.h"
 #include "tests/support/spring_network.h"
 
-// What is skipped, and that the result stays what it is without.
+// What is skipped (docs/numerics.md), and that the result stays what it is without.
 
 namespace {
 

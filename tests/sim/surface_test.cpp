@@ -97,7 +97,8 @@ Network shakenBlock(unsigned nx, unsigned ny, unsigned nz, std::uint64_t seed) {
   });
 }
 
-/// Breaks cells, every bond all of whose cells are broken (P15), and relabels the fragments.
+/// Breaks cells, every bond all of whose cells are broken (docs/numerics.md, Breaking 3), and relabels the
+/// fragments.
 Snapshot broken(const Network& network, const std::set<sim::CellIndex>& cells) {
   Snapshot moment = sim::momentAtRest(network);
   std::vector<int> liveCells(network.bondCount(), 0);

@@ -23,7 +23,7 @@ sim::Blueprint twoNodes(const Pair& pair);
 /// `count` nodes in a row along x at distance 1, a spring between neighbours.
 sim::Blueprint chain(unsigned count, double stiffness = 1000.0, double damping = 0.0);
 
-/// Which bonds a cell has (P5).
+/// Which bonds a cell has (docs/numerics.md, "Bonds of a lattice of cubes").
 enum class Pattern { edgesAndBody, edgesAndHalfFaces, edgesAndFaces, full };
 
 /// A block of cells with uniform constants: k = 0.6, 0.2, 0.15 E h for edges, face and body diagonals.

@@ -75,7 +75,7 @@ class PictureRun {
   std::unique_ptr<Renderer> renderer_;
 };
 
-/// A ray-traced still (P21): a key and a fill light, soft shadows, light that is scattered up to four times,
+/// A ray-traced still: a key and a fill light, soft shadows, light that is scattered up to four times,
 /// a mirror-like glaze by Fresnel's law on outsides, clear glass, matt insides, every fragment in a tint of
 /// its own; blurred by what the lens does not focus and by what moves while the shutter is open. Curved
 /// outsides are drawn curved: each face is a patch through its corners that follows their normals.

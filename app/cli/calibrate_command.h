@@ -1,9 +1,0 @@
-#pragma once
-
-#include "app/cli/command.h"
-
-namespace app {
-
-void addCalibrateCommand(CLI::App& program, ExitStatus& status);
-
-}  // namespace app
