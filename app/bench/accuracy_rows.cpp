@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "sim/state/settings.h"
 #include "sim/methods/method_names.h"
+#include "sim/state/settings.h"
 
 namespace app {
 namespace {

@@ -23,7 +23,6 @@ struct Row {
   std::string scene;
   std::size_t nodes = 0;
   std::size_t bonds = 0;  ///< whole ones at the end
-  sim::Precision precision = sim::Precision::float64;
   int threads = 1;
   double bondsPerSecond = 0.0;
   double bondsPerCpuSecond = 0.0;
@@ -51,10 +50,8 @@ sim::Status breakUp(sim::Simulation& running, double share) {
   return status;
 }
 
-sim::Result<Row> measure(const Body& body, sim::Precision precision, int threads, double bandwidth) {
-  modeling::Scene scene = body.scene;
-  scene.solver.precision = precision;
-  auto simulation = start(scene, threads);
+sim::Result<Row> measure(const Body& body, int threads, double bandwidth) {
+  auto simulation = start(body.scene, threads);
   if (!simulation) return simulation.problem();
   sim::Simulation& running = **simulation;
   if (const sim::Status broken = breakUp(running, body.brokenShare); !broken) return broken.problem();
@@ -73,7 +70,6 @@ sim::Result<Row> measure(const Body& body, sim::Precision precision, int threads
   row.scene = body.name;
   row.nodes = network.nodeCount();
   row.bonds = network.bondCount() - running.brokenBondCount();
-  row.precision = precision;
   row.threads = threads;
   row.bondsPerSecond = updates / seconds.wall;
   row.bondsPerCpuSecond = updates / seconds.cpu;
@@ -89,7 +85,7 @@ Json toJson(const Row& row) {
   return {{"scene", row.scene},
           {"nodes", row.nodes},
           {"bonds", row.bonds},
-          {"precision", sim::nameOf(row.precision)},
+          {"precision", "double"},
           {"threads", row.threads},
           {"bonds_per_second", row.bondsPerSecond},
           {"bonds_per_cpu_second", row.bondsPerCpuSecond},
@@ -145,24 +141,21 @@ sim::Status benchThroughput(const std::vector<int>& threads,
   auto bodies = throughputBodies();
   if (!bodies) return bodies.problem();
   Json::Array rows;
-  std::printf("%-24s %9s %8s %9s %8s %16s %14s %14s %7s %11s %10s\n", "scene", "precision", "nodes", "bonds",
-              "threads", "million bonds/s", "a CPU second", "plain loop", "ratio", "bytes/node", "bandwidth");
+  std::printf("%-24s %8s %9s %8s %16s %14s %14s %7s %11s %10s\n", "scene", "nodes", "bonds", "threads",
+              "million bonds/s", "a CPU second", "plain loop", "ratio", "bytes/node", "bandwidth");
   for (const int count : threads) {
     const double bandwidth = triadBandwidth(count);
     std::printf("memory, %d threads: %.1f GB/s (triad)\n", count, bandwidth / 1e9);
     for (const Body& body : *bodies) {
-      for (const sim::Precision precision : {sim::Precision::float64, sim::Precision::float32}) {
-        const auto row = measure(body, precision, count, bandwidth);
-        if (!row) return row.problem();
-        std::printf("%-24s %9s %8zu %9zu %8d %16.1f %14.1f %14.1f %7.2f %11.0f %8.0f %%\n",
-                    row->scene.c_str(), std::string(sim::nameOf(precision)).c_str(), row->nodes, row->bonds,
-                    row->threads, row->bondsPerSecond / 1e6, row->bondsPerCpuSecond / 1e6,
-                    row->plainLoop / 1e6, row->bondsPerCpuSecond / row->plainLoop, row->bytesPerNode,
-                    100.0 * row->bandwidthShare);
-        std::fflush(stdout);
-        rows.push_back(toJson(*row));
-        rows.back()["triad_bytes_per_second"] = bandwidth;
-      }
+      const auto row = measure(body, count, bandwidth);
+      if (!row) return row.problem();
+      std::printf("%-24s %8zu %9zu %8d %16.1f %14.1f %14.1f %7.2f %11.0f %8.0f %%\n", row->scene.c_str(),
+                  row->nodes, row->bonds, row->threads, row->bondsPerSecond / 1e6,
+                  row->bondsPerCpuSecond / 1e6, row->plainLoop / 1e6, row->bondsPerCpuSecond / row->plainLoop,
+                  row->bytesPerNode, 100.0 * row->bandwidthShare);
+      std::fflush(stdout);
+      rows.push_back(toJson(*row));
+      rows.back()["triad_bytes_per_second"] = bandwidth;
     }
   }
   const auto compared = compareWithLammps();
