@@ -12,7 +12,24 @@ namespace sim {
 struct Simulation::State {
   State(Network network, Environment environment, std::vector<Track> tracks, const Settings& settings)
       : stepper(std::move(network), std::move(environment), std::move(tracks), settings) {}
+
+  /// Snapshots between two breaks share it. Bonds never heal, so that in one run their number tells whether
+  /// anything broke; where the run becomes another one, forgetBroken() is called.
+  const BrokenPointer& brokenNow() {
+    const std::uint64_t bonds = stepper.breakage().brokenBondCount();
+    if (!broken || brokenBonds != bonds) {
+      broken = sealed({stepper.breakage().brokenBonds(), stepper.breakage().brokenCells(),
+                       stepper.components().fragmentOfNode(),
+                       describeFragments(stepper.network(), stepper.components())});
+      brokenBonds = bonds;
+    }
+    return broken;
+  }
+  void forgetBroken() { broken.reset(); }
+
   Stepper stepper;
+  BrokenPointer broken;           ///< of the last snapshot; null before the first
+  std::uint64_t brokenBonds = 0;  ///< how many there are in it
 };
 
 namespace {
@@ -193,11 +210,13 @@ std::vector<std::byte> Simulation::checkpoint() const {
   return state_->stepper.checkpoint();
 }
 Status Simulation::restore(std::span<const std::byte> checkpoint) {
+  state_->forgetBroken();
   return state_->stepper.restore(checkpoint);
 }
 Status Simulation::takeOver(Simulation& other) {
   if (!sameNetwork(network(), other.network()))
     return Problem{"", "the two runs are of different networks", "run the changed one from the start"};
+  state_->forgetBroken();
   state_->stepper.takeOver(other.state_->stepper);
   return Done{};
 }
@@ -216,11 +235,9 @@ Snapshot Simulation::snapshot() const {
     snapshot.positions.push_back(stepper.positions().get(node));
     snapshot.velocities.push_back(present.velocity.get(node));
   }
-  snapshot.fragmentOfNode = stepper.components().fragmentOfNode();
-  snapshot.brokenBonds = stepper.breakage().brokenBonds();
-  snapshot.brokenCells = stepper.breakage().brokenCells();
-  snapshot.fragments = describeFragments(stepper.network(), stepper.components(), snapshot);
-  for (Fragment& fragment : snapshot.fragments)
+  snapshot.broken = state_->brokenNow();
+  snapshot.fragments = describeMotion(stepper.network(), snapshot);
+  for (MovingFragment& fragment : snapshot.fragments)
     fragment.state = stepper.fragments().activity().stateOf(fragment.id);
   snapshot.ledger = stepper.drawLedger(present);
   return snapshot;
