@@ -165,7 +165,7 @@ sim::Result<Json> describeTake(const std::filesystem::path& file) {
     if (!last) return last.problem();
     info["steps"] = (*last)->stepCount;
     info["fragments"] = (*last)->fragments.size();
-    info["broken_bonds"] = std::count((*last)->brokenBonds.begin(), (*last)->brokenBonds.end(), 1);
+    info["broken_bonds"] = (*last)->broken->lostBonds();
   }
   info["seed"] = take.header().seed;
   info["scene_hash"] = take.header().sceneHash;

@@ -70,10 +70,9 @@ Json reportOf(const ReportInput& input) {
   report["nodes"] = network.nodeCount();
   report["bonds"] = network.bondCount();
   report["cells"] = network.cellCount();
-  addFragments(end.fragments, report);
+  addFragments(end.broken->fragments, report);
   report["broken_bonds"] = simulation.brokenBondCount();
-  report["broken_cells"] =
-      std::count_if(end.brokenCells.begin(), end.brokenCells.end(), [](auto b) { return b != 0; });
+  report["broken_cells"] = end.broken->lostCells();
   report["steps"] = simulation.stepCount();
   report["step_s"] = simulation.step();
   report["simulated_s"] = simulation.time();
@@ -86,8 +85,8 @@ Json reportOf(const ReportInput& input) {
   report["momentum"] = {{"linear", vectorJson(end.ledger.linearMomentum)},
                         {"angular", vectorJson(end.ledger.angularMomentum)}};
   report["work"] = workJson(simulation.work());
-  report["work"]["nodes_unrecorded"] = input.recorder.nodesLeftOut();
-  report["events"] = {{"first_break_s", input.recorder.firstBreak()}, {"breaks", input.recorder.breaks()}};
+  report["work"]["nodes_unrecorded"] = input.recording.nodesLeftOut();
+  report["events"] = {{"first_break_s", input.recording.firstBreak()}, {"breaks", input.recording.breaks()}};
   report["outcome"] = input.outcome;
   return report;
 }

@@ -4,8 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/recorder.h"
+#include "app/cli/stopwatch.h"
 #include "app/results/json.h"
+#include "modeling/run/recording.h"
 #include "modeling/scene/scene.h"
 #include "sim/dynamics/simulation.h"
 
@@ -14,7 +15,7 @@ namespace app {
 /// Where a run's results go, beside its take.
 struct ReportInput {
   const sim::Simulation& simulation;
-  const Recorder& recorder;
+  const modeling::Recording& recording;
   const Stopwatch& stopwatch;
   sim::Method method = sim::Method::velocityVerlet;
   int threads = 0;      ///< as asked for; 0: all there are

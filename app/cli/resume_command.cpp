@@ -129,13 +129,13 @@ ExitStatus branch(const ResumeOptions& options) {
                                   });
   }();
   if (!from) return complain(from.problem());
-  const auto writer = modeling::branchTake(**take, *frame, *from, options.branch);
-  if (!writer) return complain(writer.problem());
-  Recorder recorder(*from->simulation, writer->get(), (*take)->header().framesPerSecond);
-  recorder.takeOver(*events);
-  return runAndReport(*from->simulation, recorder, stopwatch,
-                      {options.until.value_or(from->scene.output.duration), from->scene.solver.method,
-                       options.threads, options.report});
+  const double until = options.until.value_or(from->scene.output.duration);
+  sim::Result<modeling::Recording> recording =
+      modeling::branchTake(**take, *frame, *from, until, options.branch);
+  if (!recording) return complain(recording.problem());
+  recording->countEarlier(*events);
+  return runAndReport(*from->simulation, *recording, stopwatch,
+                      {from->scene.solver.method, options.threads, options.report});
 }
 
 ExitStatus resume(const ResumeOptions& options) {
@@ -158,15 +158,13 @@ ExitStatus resume(const ResumeOptions& options) {
   if (!take) return complain(take.problem());
   (*take)->leaveOutUnmoved(from->scene.solver.skip.recording);
 
-  Recorder recorder(**simulation, take->get(), from->header.framesPerSecond);
-  recorder.takeOver(from->events);
-  if (!from->frame) {
-    if (const sim::Status begun = recorder.begin(); !begun)
-      return complain(begun.problem(), ExitStatus::failed);
-  }
-  const double until = options.until.value_or(from->scene.output.duration);
-  return runAndReport(**simulation, recorder, stopwatch,
-                      {until, from->scene.solver.method, options.threads, options.report});
+  const auto begin = from->frame ? &modeling::Recording::ofContinuedRun : &modeling::Recording::ofNewRun;
+  modeling::Recording recording =
+      begin(**simulation, std::move(take).value(),
+            {from->header.framesPerSecond, options.until.value_or(from->scene.output.duration)});
+  recording.countEarlier(from->events);
+  return runAndReport(**simulation, recording, stopwatch,
+                      {from->scene.solver.method, options.threads, options.report});
 }
 
 ExitStatus resumeOrBranch(const ResumeOptions& options) {

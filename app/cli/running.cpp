@@ -22,19 +22,20 @@ sim::Status checkReportFile(const std::string& file) {
   return file.empty() ? sim::Status(sim::Done{}) : modeling::checkReplaceable(file);
 }
 
-ExitStatus runAndReport(sim::Simulation& simulation, Recorder& recorder, const Stopwatch& stopwatch,
-                        const RunningOptions& options) {
+ExitStatus runAndReport(const sim::Simulation& simulation, modeling::Recording& recording,
+                        const Stopwatch& stopwatch, const RunningOptions& options) {
   const double start = simulation.time();
+  const double until = recording.plan().until;
   sim::Status ran = sim::Done{};
   {
     Progress progress("simulating");
-    ran = recorder.run(options.until, [&](const sim::Simulation& now) {
-      const double share = (now.time() - start) / (options.until - start);
-      progress.show(share, progressText(now, options.until));
+    ran = recording.run([&](const sim::Simulation& now) {
+      const double share = (now.time() - start) / (until - start);
+      progress.show(share, progressText(now, until));
     });
   }
   const std::string outcome = ran ? "done" : ran.problem().line();
-  const auto report = reportOf({simulation, recorder, stopwatch, options.method, options.threads, outcome});
+  const auto report = reportOf({simulation, recording, stopwatch, options.method, options.threads, outcome});
   if (!options.reportFile.empty()) {
     if (const sim::Status written = writeReport(report, options.reportFile); !written) {
       return complain(written.problem(), ExitStatus::failed);

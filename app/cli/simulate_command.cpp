@@ -6,7 +6,6 @@
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
 #include "modeling/scene/build.h"
-#include "modeling/text/text_file.h"
 #include "sim/take/take.h"
 
 namespace app {
@@ -18,16 +17,6 @@ struct SimulateOptions {
   std::string report;
   int threads = 0;
 };
-
-/// The scene as it was run stands at the head of the take, complete in itself.
-sim::TakeHeader headerOf(const modeling::Scene& scene) {
-  sim::TakeHeader header;
-  header.scene = modeling::writeScene(modeling::withoutPresets(scene));
-  header.sceneHash = modeling::textHash(header.scene);
-  header.framesPerSecond = scene.output.fps;
-  header.seed = scene.solver.seed;
-  return header;
-}
 
 ExitStatus simulate(const SimulateOptions& options) {
   const Stopwatch stopwatch;
@@ -48,17 +37,15 @@ ExitStatus simulate(const SimulateOptions& options) {
   // Last, because it replaces what was recorded before: by now the run is sure to begin.
   std::unique_ptr<sim::TakeWriter> take;
   if (!options.take.empty()) {
-    auto created = sim::TakeWriter::create(options.take, headerOf(built->scene), (*simulation)->network());
+    auto created = modeling::createTake(options.take, built->scene, (*simulation)->network());
     if (!created) return complain(created.problem());
     take = std::move(created).value();
-    take->leaveOutUnmoved(scene.solver.skip.recording);
   }
   for (const std::string& warning : built->warnings) std::cout << "note          " << warning << '\n';
-  Recorder recorder(**simulation, take.get(), scene.output.fps);
-  if (const sim::Status begun = recorder.begin(); !begun)
-    return complain(begun.problem(), ExitStatus::failed);
-  return runAndReport(**simulation, recorder, stopwatch,
-                      {scene.output.duration, scene.solver.method, options.threads, options.report});
+  auto recording =
+      modeling::Recording::ofNewRun(**simulation, std::move(take), {scene.output.fps, scene.output.duration});
+  return runAndReport(**simulation, recording, stopwatch,
+                      {scene.solver.method, options.threads, options.report});
 }
 
 }  // namespace

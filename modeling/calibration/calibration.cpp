@@ -61,7 +61,7 @@ Scene sampleScene(const Material& material, const CalibrationSettings& settings,
 void judge(Trial& trial, const sim::Snapshot& snapshot) {
   std::size_t isolated = 0;
   const auto nodes = static_cast<double>(snapshot.positions.size());
-  for (const sim::Fragment& fragment : snapshot.fragments) {
+  for (const sim::Fragment& fragment : snapshot.broken->fragments) {
     if (fragment.nodeCount == 1) ++isolated;
     if (fragment.nodeCount > 1) ++trial.fragments;
     if (fragment.nodeCount >= kLargeShare * nodes) ++trial.largeFragments;

@@ -173,11 +173,10 @@ sim::Result<Continuation> continueFrom(const sim::TakeReader& take, std::size_t 
   return Continuation{std::move(other).value(), std::move(after), true};
 }
 
-sim::Result<std::unique_ptr<sim::TakeWriter>> branchTake(const sim::TakeReader& take, std::size_t frame,
-                                                         const Continuation& from,
-                                                         const std::filesystem::path& path,
-                                                         const KeepGoing& keepGoing) {
-  const std::string scene = writeScene(withoutPresets(from.scene));
+sim::Result<Recording> branchTake(const sim::TakeReader& take, std::size_t frame, const Continuation& from,
+                                  double until, const std::filesystem::path& path,
+                                  const KeepGoing& keepGoing) {
+  const std::string scene = recordedText(from.scene);
   sim::TakeHeader header = take.header();
   const sim::Result<std::string> first = take.sceneOf(0);
   if (!first) return first.problem();
@@ -193,7 +192,8 @@ sim::Result<std::unique_ptr<sim::TakeWriter>> branchTake(const sim::TakeReader& 
     return begun.problem();
   const sim::Status kept = (*writer)->appendCheckpoint(from.simulation->checkpoint());
   if (!kept) return kept.problem();
-  return writer;
+  return Recording::ofContinuedRun(*from.simulation, std::move(writer).value(),
+                                   {header.framesPerSecond, until});
 }
 
 }  // namespace modeling

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "modeling/run/recording.h"
 #include "modeling/scene/scene.h"
 #include "sim/dynamics/simulation.h"
 #include "sim/take/take.h"
@@ -31,11 +32,10 @@ sim::Status checkChange(const Scene& before, const Scene& after);
 sim::Result<Continuation> continueFrom(const sim::TakeReader& take, std::size_t frame, const Scene* changed,
                                        int threads, const KeepGoing& keepGoing = {});
 
-/// Begins a take of its own with the frames up to that one, which can be gone on from. The file must not be
-/// the take's.
-sim::Result<std::unique_ptr<sim::TakeWriter>> branchTake(const sim::TakeReader& take, std::size_t frame,
-                                                         const Continuation& from,
-                                                         const std::filesystem::path& path,
-                                                         const KeepGoing& keepGoing = {});
+/// Begins a take of its own with the frames up to that one, and records what follows them until `until` (s).
+/// The file must not be the take's. The recording refers to the simulation of `from`.
+sim::Result<Recording> branchTake(const sim::TakeReader& take, std::size_t frame, const Continuation& from,
+                                  double until, const std::filesystem::path& path,
+                                  const KeepGoing& keepGoing = {});
 
 }  // namespace modeling

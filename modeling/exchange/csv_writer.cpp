@@ -67,11 +67,11 @@ class FragmentTable {
     out_ << std::uint64_t{index} << "," << frame.time << "," << std::uint64_t{of.id} << ",";
     addId(of.parent, out_);
     out_ << "," << of.born << "," << std::uint64_t{of.nodeCount} << "," << of.mass << ","
-         << kStateNames[static_cast<std::size_t>(of.state)];
-    addVector(of.centre, out_);
+         << kStateNames[static_cast<std::size_t>(fragment.moving.state)];
+    addVector(fragment.moving.centre, out_);
     const Eigen::Quaterniond& turn = turnOf(frame, fragment);
     out_ << "," << turn.w() << "," << turn.x() << "," << turn.y() << "," << turn.z();
-    addVector(of.velocity, out_);
+    addVector(fragment.moving.velocity, out_);
     addVector(angularVelocity(fragment, network_, frame), out_);
     out_ << "\n";
   }

@@ -9,7 +9,7 @@ std::vector<double> damageOfNodes(const sim::Network& network, const sim::Snapsh
   std::vector<std::uint32_t> broken(network.nodeCount(), 0);
   for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
-      const bool gone = !moment.brokenBonds.empty() && moment.brokenBonds[bond] != 0;
+      const bool gone = moment.broken->hasLostBond(bond);
       for (const sim::NodeIndex node : {a, network.bondEnds[bond]}) {
         ++bonds[node];
         if (gone) ++broken[node];

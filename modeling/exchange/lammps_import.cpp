@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "modeling/exchange/lammps_dump.h"
-#include "modeling/scene/scene_file.h"
-#include "sim/base/text_hash.h"
+#include "modeling/run/recording.h"
 #include "sim/fracture/components.h"
 #include "sim/kernel/bond_layout.h"
 
@@ -33,8 +32,8 @@ class Importer {
         nodes_(from.dump, network.nodeCount()),
         layout_(network),
         components_(network, layout_) {
-    moment_.brokenBonds.assign(network.bondCount(), 0);
-    moment_.brokenCells.assign(network.cellCount(), 0);
+    broken_.bonds.assign(network.bondCount(), 0);
+    broken_.cells.assign(network.cellCount(), 0);
     if (!from.bonds.empty()) bonds_ = std::make_unique<LammpsDumpReader>(from.bonds, network.bondCount());
   }
 
@@ -44,7 +43,7 @@ class Importer {
     while (true) {
       auto more = nextMoment();
       if (more && *more && !take) {
-        auto created = sim::TakeWriter::create(path, headerOf(), network_);
+        auto created = createTake(path, scene_, network_);
         if (!created) return created.problem();
         take = std::move(*created);
       }
@@ -64,15 +63,6 @@ class Importer {
   }
 
  private:
-  sim::TakeHeader headerOf() const {
-    sim::TakeHeader header;
-    header.scene = writeScene(withoutPresets(scene_));
-    header.sceneHash = sim::textHash(header.scene);
-    header.framesPerSecond = scene_.output.fps;
-    header.seed = scene_.solver.seed;
-    return header;
-  }
-
   Problem at(const std::filesystem::path& file, const LammpsDumpFrame& frame, std::size_t row,
              std::string what, std::string remedy = "name the scene that the run was exported from") const {
     return {file.string() + ":" + std::to_string(frame.line + row) + ":1", std::move(what),
@@ -169,7 +159,7 @@ class Importer {
       whole[bond] = 1;
     }
     for (sim::BondIndex bond = 0; bond < network_.bondCount(); ++bond) {
-      if (whole[bond] == 0 && moment_.brokenBonds[bond] == 0) breakBond(bond);
+      if (whole[bond] == 0 && broken_.bonds[bond] == 0) breakBond(bond);
     }
     return sim::Done{};
   }
@@ -178,7 +168,7 @@ class Importer {
     const sim::NodeIndex a = network_.bondStart(bond);
     const sim::NodeIndex b = network_.bondEnds[bond];
     const double length = (moment_.positions[b] - moment_.positions[a]).norm();
-    moment_.brokenBonds[bond] = 1;
+    broken_.bonds[bond] = 1;
     layout_.remove(network_, bond);
     events_.push_back({.time = moment_.time,
                        .bond = bond,
@@ -199,7 +189,7 @@ class Importer {
       for (std::size_t i = 0; i < 8; ++i) {
         for (std::size_t j = i + 1; j < 8; ++j) {
           const sim::BondIndex bond = network_.findBond(corners[i], corners[j]);
-          if (bond != sim::kNone && moment_.brokenBonds[bond] != 0) moment_.brokenCells[cell] = 1;
+          if (bond != sim::kNone && broken_.bonds[bond] != 0) broken_.cells[cell] = 1;
         }
       }
     }
@@ -210,8 +200,12 @@ class Importer {
       breakCells();
       components_.relabel(layout_, events_, moment_.time);
     }
-    moment_.fragmentOfNode = components_.fragmentOfNode();
-    moment_.fragments = sim::describeFragments(network_, components_, moment_);
+    if (!events_.empty() || moment_.broken == sim::nothingBroken()) {
+      broken_.fragmentOfNode = components_.fragmentOfNode();
+      broken_.fragments = sim::describeFragments(network_, components_);
+      moment_.broken = sim::sealed(broken_);
+    }
+    moment_.fragments = sim::describeMotion(network_, moment_);
     moment_.ledger = ledger();
   }
 
@@ -230,7 +224,7 @@ class Importer {
     }
     for (sim::NodeIndex a = 0; a < network_.nodeCount(); ++a) {
       for (sim::BondIndex b = network_.firstBond[a]; b < network_.firstBond[a + 1]; ++b) {
-        if (moment_.brokenBonds[b] != 0) continue;
+        if (broken_.bonds[b] != 0) continue;
         const sim::BondClass& bond = network_.bond(b);
         const double stretch =
             (moment_.positions[network_.bondEnds[b]] - moment_.positions[a]).norm() - bond.restLength;
@@ -248,6 +242,7 @@ class Importer {
   sim::BondLayout layout_;
   sim::Components components_;
   sim::Snapshot moment_;
+  sim::Broken broken_;  ///< of the moment, while it is being read
   std::vector<sim::BreakEvent> events_;
 };
 

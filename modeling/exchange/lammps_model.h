@@ -46,9 +46,7 @@ struct LammpsModel {
   std::uint64_t stepsPerFrame = 1;
   std::uint64_t frames = 1;  ///< after the first, up to the scene's duration
 
-  bool bondIsWhole(sim::BondIndex bond) const {
-    return moment->brokenBonds.empty() || moment->brokenBonds[bond] == 0;
-  }
+  bool bondIsWhole(sim::BondIndex bond) const { return !moment->broken->hasLostBond(bond); }
 };
 
 /// The take's first requested frame, and the conditions of the scene it came from.

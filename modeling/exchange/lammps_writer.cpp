@@ -37,8 +37,9 @@ void writeAtoms(const LammpsModel& model, TextOutput& out) {
     const double mass = std::isfinite(network.masses[node]) ? network.masses[node] : 1.0;
     const double density = mass / (std::numbers::pi / 6.0 * diameter * diameter * diameter);
     out << std::uint64_t{node + 1} << " " << std::uint64_t{model.typeOfNode[node] + 1U} << " "
-        << model.moment->positions[node] << " " << std::uint64_t{model.moment->fragmentOfNode[node]} + 1U
-        << " " << diameter << " " << density << "\n";
+        << model.moment->positions[node] << " "
+        << std::uint64_t{model.moment->broken->fragmentOfNode[node]} + 1U << " " << diameter << " " << density
+        << "\n";
   }
   out << "\nVelocities\n\n";
   for (std::size_t node = 0; node < network.nodeCount(); ++node)

@@ -43,18 +43,19 @@ Eigen::Quaterniond bestRotation(const std::vector<Vec3>& from, const std::vector
 
 std::vector<FinalFragment> finalFragments(const sim::Snapshot& first, const sim::Snapshot& last) {
   std::vector<FinalFragment> result;
-  for (const sim::Fragment& fragment : last.fragments) {
+  for (std::size_t i = 0; i < last.fragments.size(); ++i) {
     FinalFragment& made = result.emplace_back();
-    made.fragment = fragment;
+    made.fragment = last.broken->fragments[i];
+    made.moving = last.fragments[i];
   }
   std::sort(result.begin(), result.end(), [](const FinalFragment& left, const FinalFragment& right) {
     return left.fragment.id < right.fragment.id;
   });
-  for (sim::NodeIndex node = 0; node < last.fragmentOfNode.size(); ++node) {
+  for (sim::NodeIndex node = 0; node < last.broken->fragmentOfNode.size(); ++node) {
     const auto found = std::lower_bound(
-        result.begin(), result.end(), last.fragmentOfNode[node],
+        result.begin(), result.end(), last.broken->fragmentOfNode[node],
         [](const FinalFragment& fragment, sim::FragmentId id) { return fragment.fragment.id < id; });
-    if (found != result.end() && found->fragment.id == last.fragmentOfNode[node])
+    if (found != result.end() && found->fragment.id == last.broken->fragmentOfNode[node])
       found->nodes.push_back(node);
   }
   std::erase_if(result, [](const FinalFragment& fragment) { return fragment.nodes.empty(); });

@@ -28,6 +28,7 @@ Eigen::Quaterniond bestRotation(const std::vector<Vec3>& from, const std::vector
 /// that will be it.
 struct FinalFragment {
   sim::Fragment fragment;             ///< as in the last frame
+  sim::MovingFragment moving;         ///< as in the last frame
   std::vector<sim::NodeIndex> nodes;  ///< ascending
   Vec3 origin = Vec3::Zero();         ///< mean of its nodes in the first frame, world, cm
   double radius = 0.0;                ///< of its nodes about the origin in the first frame, cm

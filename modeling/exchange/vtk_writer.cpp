@@ -50,7 +50,7 @@ BondArrays bondArrays(const sim::Network& network, const sim::Snapshot& frame) {
       arrays.offsets.push_back(static_cast<std::int64_t>(arrays.ends.size()));
       const double length = (frame.positions[b] - frame.positions[a]).norm();
       arrays.strain.push_back(length / network.bond(bond).restLength - 1.0);
-      arrays.broken.push_back(!frame.brokenBonds.empty() && frame.brokenBonds[bond] != 0 ? 1 : 0);
+      arrays.broken.push_back(frame.broken->hasLostBond(bond) ? 1 : 0);
       arrays.material.push_back(network.bond(bond).material);
     }
   }
@@ -75,7 +75,7 @@ sim::Status writeGrid(const std::filesystem::path& path, const sim::Network& net
          data.add("connectivity", "Int64", 1, bonds.ends) + data.add("offsets", "Int64", 1, bonds.offsets) +
          data.add("types", "UInt8", 1, bonds.types) + "</Cells>\n<PointData>\n" +
          data.add("velocity", "Float64", 3, frame.velocities) +
-         data.add("fragment", "UInt32", 1, frame.fragmentOfNode) +
+         data.add("fragment", "UInt32", 1, frame.broken->fragmentOfNode) +
          data.add("damage", "Float64", 1, damageOfNodes(network, frame)) + "</PointData>\n<CellData>\n" +
          data.add("strain", "Float64", 1, bonds.strain) + data.add("broken", "UInt8", 1, bonds.broken) +
          data.add("material", "UInt32", 1, bonds.material) +

@@ -19,7 +19,8 @@ void writeFrame(const sim::Network& network, const std::vector<std::string>& spe
       << " Step=" << frame.stepCount << "\n";
   for (std::size_t node = 0; node < network.nodeCount(); ++node) {
     out << species[network.nodeMaterials[node]] << " " << frame.positions[node] << " "
-        << frame.velocities[node] << " " << static_cast<std::uint64_t>(frame.fragmentOfNode[node]) << "\n";
+        << frame.velocities[node] << " " << static_cast<std::uint64_t>(frame.broken->fragmentOfNode[node])
+        << "\n";
   }
 }
 

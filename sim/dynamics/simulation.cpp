@@ -17,8 +17,23 @@ struct Simulation::State {
     placeBodies(stepper.world());
     return stepper.world();
   }
+  /// Snapshots between two breaks share it. Bonds never heal, so that in one run their number tells whether anything
+  /// broke; where the run becomes another one, forgetBroken() is called.
+  const BrokenPointer& brokenNow() {
+    const std::uint64_t bonds = world().breakage.brokenBondCount();
+    if (!broken || brokenBonds != bonds) {
+      broken = sealed({world().breakage.brokenBonds(), world().breakage.brokenCells(),
+                       world().components.fragmentOfNode(),
+                       describeFragments(world().network, world().components)});
+      brokenBonds = bonds;
+    }
+    return broken;
+  }
+  void forgetBroken() { broken.reset(); }
 
   Stepper stepper;
+  BrokenPointer broken;           ///< of the last snapshot; null before the first
+  std::uint64_t brokenBonds = 0;  ///< how many there are in it
 };
 
 Simulation::Simulation(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -83,11 +98,13 @@ std::vector<std::byte> Simulation::checkpoint() const {
   return state_->stepper.checkpoint();
 }
 Status Simulation::restore(std::span<const std::byte> checkpoint) {
+  state_->forgetBroken();
   return state_->stepper.restore(checkpoint);
 }
 Status Simulation::takeOver(Simulation& other) {
   if (!sameNetwork(network(), other.network()))
     return Problem{"", "the two runs are of different networks", "run the changed one from the start"};
+  state_->forgetBroken();
   state_->stepper.takeOver(other.state_->stepper);
   return Done{};
 }
@@ -105,11 +122,9 @@ Snapshot Simulation::snapshot() const {
     snapshot.positions.push_back(world.now.position.get(node));
     snapshot.velocities.push_back(present.velocity.get(node));
   }
-  snapshot.fragmentOfNode = world.components.fragmentOfNode();
-  snapshot.brokenBonds = world.breakage.brokenBonds();
-  snapshot.brokenCells = world.breakage.brokenCells();
-  snapshot.fragments = describeFragments(world.network, world.components, snapshot);
-  for (Fragment& fragment : snapshot.fragments)
+  snapshot.broken = state_->brokenNow();
+  snapshot.fragments = describeMotion(world.network, snapshot);
+  for (MovingFragment& fragment : snapshot.fragments)
     fragment.state = world.fragments.activity.stateOf(fragment.id);
   snapshot.ledger = drawAccount(world, present);
   return snapshot;

@@ -205,36 +205,49 @@ std::size_t Components::memoryBytes() const {
          births_.capacity() * sizeof(FragmentBirth);
 }
 
-std::vector<Fragment> describeFragments(const Network& network, const Components& components,
-                                        const Snapshot& snapshot) {
-  std::vector<Fragment> fragments(components.births().size());
-  const double far = std::numeric_limits<double>::max();
-  for (FragmentId id = 0; id < fragments.size(); ++id) {
-    const FragmentBirth& birth = components.births()[id];
-    fragments[id] = {
-        id,           birth.parent, birth.born,          birth.nodeCount,      0.0,
-        Vec3::Zero(), Vec3::Zero(), Vec3::Constant(far), Vec3::Constant(-far), FragmentState::deforming};
+std::vector<Fragment> describeFragments(const Network& network, const Components& components) {
+  std::vector<Fragment> fragments;
+  fragments.reserve(components.births().size());
+  for (const FragmentBirth& birth : components.births()) {
+    const auto id = static_cast<FragmentId>(fragments.size());
+    fragments.push_back({id, birth.parent, birth.born, birth.nodeCount, 0.0});
   }
   for (std::size_t node = 0; node < network.nodeCount(); ++node) {
-    Fragment& fragment = fragments[components.fragmentOfNode()[node]];
+    if (std::isfinite(network.masses[node]))
+      fragments[components.fragmentOfNode()[node]].mass += network.masses[node];
+  }
+  return fragments;
+}
+
+std::vector<MovingFragment> describeMotion(const Network& network, const Snapshot& snapshot) {
+  const std::vector<Fragment>& fragments = snapshot.broken->fragments;
+  const double far = std::numeric_limits<double>::max();
+  std::vector<MovingFragment> moving;
+  moving.reserve(fragments.size());
+  for (const Fragment& fragment : fragments) {
+    assert(fragment.id == moving.size());
+    moving.push_back({.id = fragment.id, .boxMin = Vec3::Constant(far), .boxMax = Vec3::Constant(-far)});
+  }
+  for (std::size_t node = 0; node < network.nodeCount(); ++node) {
+    MovingFragment& fragment = moving[snapshot.broken->fragmentOfNode[node]];
     const Vec3& position = snapshot.positions[node];
     fragment.boxMin = fragment.boxMin.cwiseMin(position);
     fragment.boxMax = fragment.boxMax.cwiseMax(position);
     const double mass = network.masses[node];
     if (!std::isfinite(mass)) continue;
-    fragment.mass += mass;
     fragment.centre += mass * position;
     fragment.velocity += mass * snapshot.velocities[node];
   }
-  for (Fragment& fragment : fragments) {
-    if (fragment.mass > 0.0) {
-      fragment.centre /= fragment.mass;
-      fragment.velocity /= fragment.mass;
+  for (MovingFragment& fragment : moving) {
+    const double mass = fragments[fragment.id].mass;
+    if (mass > 0.0) {
+      fragment.centre /= mass;
+      fragment.velocity /= mass;
     } else {
       fragment.centre = 0.5 * (fragment.boxMin + fragment.boxMax);
     }
   }
-  return fragments;
+  return moving;
 }
 
 }  // namespace sim

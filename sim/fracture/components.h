@@ -55,9 +55,11 @@ class Components {
   std::uint64_t relabelings_ = 0;
 };
 
-/// The living fragments by id, with mass, centre and box of the snapshot's positions and velocities. Held
-/// nodes count in nothing but the box.
-std::vector<Fragment> describeFragments(const Network& network, const Components& components,
-                                        const Snapshot& snapshot);
+/// All fragments, by id. Held nodes have no mass.
+std::vector<Fragment> describeFragments(const Network& network, const Components& components);
+
+/// How the fragments in Snapshot::broken are, by the snapshot's positions and velocities. Held nodes count in
+/// nothing but the box. The fragments must be those of a Components, whose ids count from 0 without a gap.
+std::vector<MovingFragment> describeMotion(const Network& network, const Snapshot& snapshot);
 
 }  // namespace sim

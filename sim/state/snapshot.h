@@ -47,30 +47,56 @@ enum class FragmentState : std::uint8_t {
 };
 inline constexpr std::size_t kFragmentStates = 3;
 
-/// A connected component from its birth on.
+/// A connected component, and where it comes from.
 struct Fragment {
   FragmentId id = kNone;
   FragmentId parent = kNone;  ///< kNone for the components at the start
   double born = 0.0;          ///< s
   std::uint32_t nodeCount = 0;
-  double mass = 0.0;
+  double mass = 0.0;  ///< g
+};
+
+/// Where a fragment is and how it moves.
+struct MovingFragment {
+  FragmentId id = kNone;
   Vec3 centre = Vec3::Zero();    ///< of mass, cm
   Vec3 velocity = Vec3::Zero();  ///< of the centre, cm/s
-  Vec3 boxMin = Vec3::Zero();
-  Vec3 boxMax = Vec3::Zero();
+  Vec3 boxMin = Vec3::Zero();    ///< cm
+  Vec3 boxMax = Vec3::Zero();    ///< cm
   FragmentState state = FragmentState::deforming;
 };
 
+/// What is broken, and which fragments that leaves. It changes only when something breaks, so all snapshots
+/// between two breaks share one. Made by sealed(), and immutable from then on.
+struct Broken {
+  std::vector<std::uint8_t> bonds;         ///< one byte a bond, 1 where it is broken; empty: none is
+  std::vector<std::uint8_t> cells;         ///< one byte a cell, 1 where it is broken; empty: none is
+  std::vector<FragmentId> fragmentOfNode;  ///< one a node
+  std::vector<Fragment> fragments;         ///< living ones, by id
+  /// A hash of the arrays: two of equal version are equal. It does not matter whether they come from a
+  /// running simulation, from a take or from a run that was resumed.
+  std::uint64_t version = 0;
+
+  bool hasLostBond(BondIndex bond) const { return !bonds.empty() && bonds[bond] != 0; }
+  bool hasLostCell(CellIndex cell) const { return !cells.empty() && cells[cell] != 0; }
+  std::size_t lostBonds() const;
+  std::size_t lostCells() const;
+};
+using BrokenPointer = std::shared_ptr<const Broken>;
+
+/// Sets the version. Flags other than 0 become 1.
+BrokenPointer sealed(Broken broken);
+/// Without any array; always the same one.
+const BrokenPointer& nothingBroken();
+
 /// One moment of a simulation, immutable once made; all that drawing, recording and export need.
 struct Snapshot {
-  double time = 0.0;
+  double time = 0.0;  ///< s
   std::uint64_t stepCount = 0;
-  std::vector<Vec3> positions;
-  std::vector<Vec3> velocities;
-  std::vector<FragmentId> fragmentOfNode;
-  std::vector<std::uint8_t> brokenBonds;  ///< one byte a bond
-  std::vector<std::uint8_t> brokenCells;  ///< one byte a cell
-  std::vector<Fragment> fragments;        ///< living ones, by id
+  std::vector<Vec3> positions;             ///< cm
+  std::vector<Vec3> velocities;            ///< cm/s
+  BrokenPointer broken = nothingBroken();  ///< never null
+  std::vector<MovingFragment> fragments;   ///< those of `broken`, in the same order
   LedgerRow ledger;
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;

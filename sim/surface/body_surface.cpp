@@ -14,11 +14,11 @@ namespace {
 class BodySurface {
  public:
   BodySurface(const CellComplex& complex, const WholeOutside& whole, const CellCuts& cuts,
-              const CellComplex::Body& body, const Snapshot& moment, LooseNodes looseNodes,
+              const CellComplex::Body& body, const Broken& broken, LooseNodes looseNodes,
               const std::vector<float>& damage)
       : complex_(complex),
         cuts_(cuts),
-        moment_(moment),
+        broken_(broken),
         dropsLoose_(looseNodes == LooseNodes::tetrahedra || looseNodes == LooseNodes::spheres),
         damage_(damage),
         net_(complex, whole, cuts, body),
@@ -110,7 +110,7 @@ class BodySurface {
     face.cell = cell;
     face.material = complex_.materialOf(cell);
     face.part = complex_.partOf(cell);
-    face.fragment = moment_.fragmentOfNode[cuts_.carrierOf(owner)];
+    face.fragment = broken_.fragmentOfNode[cuts_.carrierOf(owner)];
   }
 
   std::uint32_t pointOf(NodeIndex node) {
@@ -197,7 +197,7 @@ class BodySurface {
 
   const CellComplex& complex_;
   const CellCuts& cuts_;
-  const Snapshot& moment_;
+  const Broken& broken_;
   bool dropsLoose_;
   const std::vector<float>& damage_;
   CrackNet net_;
@@ -210,17 +210,17 @@ class BodySurface {
 }  // namespace
 
 SurfaceTopology bodySurface(const CellComplex& complex, const WholeOutside& whole, const CellCuts& cuts,
-                            const CellComplex::Body& body, const Snapshot& moment, LooseNodes looseNodes,
+                            const CellComplex::Body& body, const Broken& broken, LooseNodes looseNodes,
                             const std::vector<float>& damage) {
-  return BodySurface(complex, whole, cuts, body, moment, looseNodes, damage).take();
+  return BodySurface(complex, whole, cuts, body, broken, looseNodes, damage).take();
 }
 
-std::vector<float> damageOfNodes(const Network& network, const Snapshot& moment) {
+std::vector<float> damageOfNodes(const Network& network, const Broken& gone) {
   std::vector<std::uint32_t> all(network.nodeCount(), 0);
   std::vector<std::uint32_t> broken(network.nodeCount(), 0);
   for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
     for (BondIndex bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
-      const bool isBroken = !moment.brokenBonds.empty() && moment.brokenBonds[bond] != 0;
+      const bool isBroken = gone.hasLostBond(bond);
       for (const NodeIndex end : {node, network.bondEnds[bond]}) {
         ++all[end];
         if (isBroken) ++broken[end];

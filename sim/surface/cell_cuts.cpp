@@ -5,20 +5,20 @@
 
 namespace sim {
 
-CellCuts::CellCuts(const CellComplex& complex, const Snapshot& moment, LooseNodes looseNodes)
-    : complex_(complex), brokenCells_(moment.brokenCells) {
-  findLoose(moment);
+CellCuts::CellCuts(const CellComplex& complex, const Broken& broken, LooseNodes looseNodes)
+    : complex_(complex), broken_(broken) {
+  findLoose();
   if (looseNodes == LooseNodes::givenToNeighbours) findCarriers();
   const Network& network = complex.network();
   for (CellIndex cell = 0; cell < network.cellCount(); ++cell) {
     if (!isBroken(cell)) continue;
-    const Pieces pieces = piecesOf(network.cells[cell], moment);
+    const Pieces pieces = piecesOf(network.cells[cell]);
     if (std::any_of(pieces.begin(), pieces.end(), [&](std::uint8_t piece) { return piece != pieces[0]; }))
       pieces_.emplace(cell, pieces);
   }
 }
 
-void CellCuts::findLoose(const Snapshot& moment) {
+void CellCuts::findLoose() {
   const Network& network = complex_.network();
   loose_.assign(network.nodeCount(), 1);
   for (CellIndex cell = 0; cell < network.cellCount(); ++cell) {
@@ -27,7 +27,7 @@ void CellCuts::findLoose(const Snapshot& moment) {
   }
   for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
     for (BondIndex bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
-      if (!moment.brokenBonds.empty() && moment.brokenBonds[bond] != 0) continue;
+      if (broken_.hasLostBond(bond)) continue;
       loose_[node] = 0;
       loose_[network.bondEnds[bond]] = 0;
     }
@@ -71,13 +71,13 @@ void CellCuts::findCarriers() {
   }
 }
 
-bool CellCuts::areJoined(NodeIndex a, NodeIndex b, const Snapshot& moment) const {
+bool CellCuts::areJoined(NodeIndex a, NodeIndex b) const {
   if (a == b) return true;
   const NodeIndex carrierA = carrierOf(a);
   const NodeIndex carrierB = carrierOf(b);
   if (carrierA != a || carrierB != b) return carrierA == carrierB || areNear(carrierA, carrierB);
   const BondIndex bond = complex_.network().findBond(a, b);
-  return bond != kNone && (moment.brokenBonds.empty() || moment.brokenBonds[bond] == 0);
+  return bond != kNone && !broken_.hasLostBond(bond);
 }
 
 std::vector<NodeIndex> CellCuts::heldAround(NodeIndex node) const {
@@ -99,12 +99,12 @@ bool CellCuts::areNear(NodeIndex a, NodeIndex b) const {
   });
 }
 
-CellCuts::Pieces CellCuts::piecesOf(const CellCorners& corners, const Snapshot& moment) const {
+CellCuts::Pieces CellCuts::piecesOf(const CellCorners& corners) const {
   Pieces pieces{};
   for (std::uint8_t corner = 0; corner < kCellCorners; ++corner) pieces[corner] = corner;
   for (std::uint32_t i = 0; i < kCellCorners; ++i) {
     for (std::uint32_t j = i + 1; j < kCellCorners; ++j) {
-      if (pieces[i] == pieces[j] || !areJoined(corners[i], corners[j], moment)) continue;
+      if (pieces[i] == pieces[j] || !areJoined(corners[i], corners[j])) continue;
       const std::uint8_t kept = std::min(pieces[i], pieces[j]);
       const std::uint8_t dropped = std::max(pieces[i], pieces[j]);
       std::replace(pieces.begin(), pieces.end(), dropped, kept);

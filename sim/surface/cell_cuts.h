@@ -22,11 +22,12 @@ enum class LooseNodes : std::uint8_t {
 /// cell is one piece, and so is a broken one all of whose corners still hang together through its neighbours.
 class CellCuts {
  public:
-  CellCuts(const CellComplex& complex, const Snapshot& moment, LooseNodes looseNodes);
+  /// Keeps references to both.
+  CellCuts(const CellComplex& complex, const Broken& broken, LooseNodes looseNodes);
 
   /// Without a whole cell or bond.
   bool isLoose(NodeIndex node) const { return loose_[node] != 0; }
-  bool isBroken(CellIndex cell) const { return !brokenCells_.empty() && brokenCells_[cell] != 0; }
+  bool isBroken(CellIndex cell) const { return broken_.hasLostCell(cell); }
   /// The node whose motion carries the eighths about a node: itself, except where it is loose and given to
   /// its neighbours.
   NodeIndex carrierOf(NodeIndex node) const { return carriers_.empty() ? node : carriers_[node]; }
@@ -42,20 +43,20 @@ class CellCuts {
  private:
   using Pieces = std::array<std::uint8_t, kCellCorners>;
 
-  void findLoose(const Snapshot& moment);
+  void findLoose();
   /// Each loose node goes to the nearest node that holds and is in a cell with it, or where there is none, to
   /// where the loose nodes beside it went.
   void findCarriers();
-  Pieces piecesOf(const CellCorners& corners, const Snapshot& moment) const;
+  Pieces piecesOf(const CellCorners& corners) const;
   /// The nodes of the whole cells about a node, sorted.
   std::vector<NodeIndex> heldAround(NodeIndex node) const;
   /// Whether whole cells about the two have a node in common. That they are of one fragment is not enough for
   /// what they carry to hang together: a crack may gape between them.
   bool areNear(NodeIndex a, NodeIndex b) const;
-  bool areJoined(NodeIndex a, NodeIndex b, const Snapshot& moment) const;
+  bool areJoined(NodeIndex a, NodeIndex b) const;
 
   const CellComplex& complex_;
-  const std::vector<std::uint8_t>& brokenCells_;
+  const Broken& broken_;
   std::vector<std::uint8_t> loose_;
   std::vector<NodeIndex> carriers_;
   std::vector<std::uint8_t> carries_;

@@ -196,7 +196,7 @@ SurfaceMesh levelSurfaceOf(const Network& network, const Snapshot& moment, const
     nodes.push_back(node);
   }
   LevelSurface level = levelSurface(sources, grid, [] { return false; });
-  const std::vector<float> damage = damageOfNodes(network, moment);
+  const std::vector<float> damage = damageOfNodes(network, *moment.broken);
   SurfaceMesh mesh;
   mesh.points = std::move(level.points);
   mesh.normals = std::move(level.normals);
@@ -212,7 +212,7 @@ SurfaceMesh levelSurfaceOf(const Network& network, const Snapshot& moment, const
                           .normals = quad,
                           .material = network.nodeMaterials[node],
                           .part = network.nodeParts[node],
-                          .fragment = moment.fragmentOfNode[node]});
+                          .fragment = moment.broken->fragmentOfNode[node]});
   }
   // Faces of a fragment stand together, as in all surfaces.
   std::stable_sort(mesh.faces.begin(), mesh.faces.end(),

@@ -106,8 +106,8 @@ std::vector<double> volumesOfNodes(const Network& network) {
   return volumes;
 }
 
-void addLooseBody(const Network& network, const Snapshot& moment, NodeIndex node, bool isSphere,
-                  double volume, float damage, SurfaceTopology& topology) {
+void addLooseBody(const Network& network, const Broken& broken, NodeIndex node, bool isSphere, double volume,
+                  float damage, SurfaceTopology& topology) {
   const double reach = SurfaceBuilder::kLooseReach * static_cast<double>(network.radii[node]);
   // As large as the tetrahedron, whose corners stand out.
   Shape shape = isSphere ? sphere(0.6 * reach) : tetrahedron(node, reach);
@@ -133,7 +133,7 @@ void addLooseBody(const Network& network, const Snapshot& moment, NodeIndex node
     face.inside = true;
     face.material = network.nodeMaterials[node];
     face.part = network.nodeParts[node];
-    face.fragment = moment.fragmentOfNode[node];
+    face.fragment = broken.fragmentOfNode[node];
   }
 }
 

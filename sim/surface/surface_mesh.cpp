@@ -11,19 +11,16 @@ namespace sim {
 namespace {
 
 /// Whether all that a body's surface depends on is equal in two moments.
-bool isAsBefore(const CellComplex& complex, const CellComplex::Body& body, const Snapshot& before,
-                const Snapshot& now) {
-  const auto equal = [](const auto& a, const auto& b, std::size_t i) {
-    return (a.empty() ? std::uint8_t{0} : a[i]) == (b.empty() ? std::uint8_t{0} : b[i]);
-  };
+bool isAsBefore(const CellComplex& complex, const CellComplex::Body& body, const Broken& before,
+                const Broken& now) {
   const Network& network = complex.network();
   for (const CellIndex cell : body.cells) {
-    if (!equal(before.brokenCells, now.brokenCells, cell)) return false;
+    if (before.hasLostCell(cell) != now.hasLostCell(cell)) return false;
   }
   for (const NodeIndex node : body.nodes) {
     if (before.fragmentOfNode[node] != now.fragmentOfNode[node]) return false;
     for (BondIndex bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
-      if (!equal(before.brokenBonds, now.brokenBonds, bond)) return false;
+      if (before.hasLostBond(bond) != now.hasLostBond(bond)) return false;
     }
   }
   return true;
@@ -43,9 +40,12 @@ struct SurfaceBuilder::Parts {
   WholeOutside whole;
   LooseNodes looseNodes;
   std::vector<double> nodeVolumes;  ///< only for bodies drawn in place of shards
-  Snapshot before;                  ///< what is broken, and fragments, of the last call; no positions
+  BrokenPointer before;             ///< of the last call; null before the first
   std::vector<SurfaceTopology> bodies;
+  SurfaceTopology all;  ///< of the bodies and of what no body has
   std::size_t rebuilt = 0;
+
+  void update(const Broken& broken);
 };
 
 SurfaceBuilder::SurfaceBuilder(const Network& network, LooseNodes looseNodes)
@@ -58,60 +58,65 @@ std::size_t SurfaceBuilder::bodiesRebuilt() const {
   return parts_->rebuilt;
 }
 
-SurfaceTopology SurfaceBuilder::topology(const Snapshot& moment) {
+const SurfaceTopology& SurfaceBuilder::topology(const BrokenPointer& broken) {
   Parts& parts = *parts_;
-  const Network& network = parts.complex.network();
-  assert(moment.fragmentOfNode.size() == network.nodeCount());
-  const auto& bodies = parts.complex.bodies();
-  std::vector<std::size_t> changed;
-  for (std::size_t body = 0; body < bodies.size(); ++body) {
-    if (parts.bodies.empty() || !isAsBefore(parts.complex, bodies[body], parts.before, moment))
-      changed.push_back(body);
+  assert(broken->fragmentOfNode.size() == parts.complex.network().nodeCount());
+  if (parts.before && parts.before->version == broken->version) {
+    parts.rebuilt = 0;
+  } else {
+    parts.update(*broken);
+    parts.before = broken;
   }
-  parts.bodies.resize(bodies.size());
-  parts.rebuilt = changed.size();
-  const std::vector<float> damage = damageOfNodes(network, moment);
-  const CellCuts cuts(parts.complex, moment, parts.looseNodes);
-  const bool spheres = parts.looseNodes == LooseNodes::spheres;
+  return parts.all;
+}
+
+void SurfaceBuilder::Parts::update(const Broken& broken) {
+  const Network& network = complex.network();
+  const std::vector<CellComplex::Body>& places = complex.bodies();
+  std::vector<std::size_t> changed;
+  for (std::size_t body = 0; body < places.size(); ++body) {
+    if (!before || !isAsBefore(complex, places[body], *before, broken)) changed.push_back(body);
+  }
+  bodies.resize(places.size());
+  rebuilt = changed.size();
+  const std::vector<float> damage = damageOfNodes(network, broken);
+  const CellCuts cuts(complex, broken, looseNodes);
+  const bool spheres = looseNodes == LooseNodes::spheres;
   for (const std::size_t body : changed) {
-    SurfaceTopology& made = parts.bodies[body];
-    made = bodySurface(parts.complex, parts.whole, cuts, bodies[body], moment, parts.looseNodes, damage);
-    if (spheres || parts.looseNodes == LooseNodes::tetrahedra) {
-      for (const NodeIndex node : bodies[body].nodes) {
+    SurfaceTopology& made = bodies[body];
+    made = bodySurface(complex, whole, cuts, places[body], broken, looseNodes, damage);
+    if (spheres || looseNodes == LooseNodes::tetrahedra) {
+      for (const NodeIndex node : places[body].nodes) {
         if (cuts.isLoose(node))
-          addLooseBody(network, moment, node, spheres, parts.volumeAt(node), damage[node], made);
+          addLooseBody(network, broken, node, spheres, volumeAt(node), damage[node], made);
       }
     }
     finishTopology(made);
   }
-  parts.before.brokenBonds = moment.brokenBonds;
-  parts.before.brokenCells = moment.brokenCells;
-  parts.before.fragmentOfNode = moment.fragmentOfNode;
 
-  SurfaceTopology all;
-  for (const SurfaceTopology& body : parts.bodies) appendTopology(all, body);
+  all = {};
+  for (const SurfaceTopology& body : bodies) appendTopology(all, body);
   SurfaceTopology bare;
-  for (const NodeIndex node : parts.complex.bareNodes()) {
-    if (cuts.isLoose(node))
-      addLooseBody(network, moment, node, spheres, parts.volumeAt(node), damage[node], bare);
+  for (const NodeIndex node : complex.bareNodes()) {
+    if (cuts.isLoose(node)) addLooseBody(network, broken, node, spheres, volumeAt(node), damage[node], bare);
   }
   finishTopology(bare);
   appendTopology(all, bare);
-  return all;
 }
 
 SurfaceMesh SurfaceBuilder::build(const Snapshot& moment) {
   assert(moment.positions.size() == parts_->complex.network().nodeCount());
-  return placeSurface(topology(moment), moment.positions);
+  return placeSurface(topology(moment.broken), moment.positions);
 }
 
 Snapshot momentAtRest(const Network& network) {
   Snapshot moment;
   moment.positions = network.positions;
   moment.velocities = network.velocities;
-  moment.brokenBonds.assign(network.bondCount(), 0);
-  moment.brokenCells.assign(network.cellCount(), 0);
-  moment.fragmentOfNode.resize(network.nodeCount());
+  Broken broken;
+  broken.bonds.assign(network.bondCount(), 0);
+  broken.cells.assign(network.cellCount(), 0);
+  broken.fragmentOfNode.resize(network.nodeCount());
   std::vector<NodeIndex> root(network.nodeCount());
   std::iota(root.begin(), root.end(), NodeIndex{0});
   const auto find = [&root](NodeIndex node) {
@@ -130,8 +135,9 @@ Snapshot momentAtRest(const Network& network) {
   FragmentId next = 0;
   for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
     const NodeIndex first = find(node);
-    moment.fragmentOfNode[node] = first == node ? next++ : moment.fragmentOfNode[first];
+    broken.fragmentOfNode[node] = first == node ? next++ : broken.fragmentOfNode[first];
   }
+  moment.broken = sealed(std::move(broken));
   return moment;
 }
 

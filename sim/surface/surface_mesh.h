@@ -28,8 +28,9 @@ class SurfaceBuilder {
   SurfaceBuilder(SurfaceBuilder&&) noexcept;
   SurfaceBuilder& operator=(SurfaceBuilder&&) noexcept;
 
-  /// How everything hangs together once that has broken which is broken in `moment`: for placeSurface().
-  SurfaceTopology topology(const Snapshot& moment);
+  /// How everything hangs together once this has broken: for placeSurface(). What is returned is the
+  /// builder's own, and stands until the next call.
+  const SurfaceTopology& topology(const BrokenPointer& broken);
 
   /// placeSurface() of its topology.
   SurfaceMesh build(const Snapshot& moment);

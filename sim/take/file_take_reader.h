@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +43,8 @@ class FileTakeReader final : public TakeReader {
   FileTakeReader(TakeFile file, TakeIndex index) : file_(std::move(file)), index_(std::move(index)) {}
   Status readBeginning();
   Result<Snapshot> snapshotAt(const TakeIndex::Frame& place) const;
+  /// Of a chunk. Frames share what they have of one, in whatever order they are read.
+  Result<BrokenPointer> brokenAt(std::size_t chunk) const;
   std::optional<std::string> textOf(std::size_t chunk) const;
   /// The newest of these that is intact.
   std::optional<std::string> newestScene(const TakeIndex::Scenes& scenes) const;
@@ -56,6 +60,11 @@ class FileTakeReader final : public TakeReader {
   Network network_;
   NetworkSize size_;
   std::optional<std::string> outcome_;
+
+  mutable std::mutex brokenMutex_;  ///< of both below
+  /// By chunk: those that some snapshot still holds.
+  mutable std::map<std::size_t, std::weak_ptr<const Broken>> held_;
+  mutable BrokenPointer newest_;  ///< read last, so that frames read one by one find it held
 };
 
 }  // namespace sim

@@ -12,9 +12,12 @@ namespace {
 // A member added to one of these must be stored too, and kTakeVersion raised.
 static_assert(sizeof(Energy) == 8 * sizeof(double));
 static_assert(sizeof(LedgerRow) == sizeof(Energy) + 8 * sizeof(double));
-static_assert(sizeof(Fragment) == 17 * sizeof(double));
+static_assert(sizeof(Fragment) == 4 * sizeof(double));
+static_assert(sizeof(MovingFragment) == 14 * sizeof(double));
 static_assert(sizeof(BreakEvent) == 4 * sizeof(double));
-static_assert(sizeof(Snapshot) == sizeof(LedgerRow) + 2 * sizeof(double) + 6 * sizeof(std::vector<int>));
+static_assert(sizeof(Snapshot) ==
+              sizeof(LedgerRow) + 2 * sizeof(double) + 3 * sizeof(std::vector<int>) + sizeof(BrokenPointer));
+static_assert(sizeof(Broken) == 4 * sizeof(std::vector<int>) + sizeof(std::uint64_t));
 
 /// One member of every record, so that like stands by like and compresses.
 template <class Member, class Record>
@@ -65,17 +68,6 @@ void readLedger(ByteReader& reader, LedgerRow& row) {
   reader.read(row.step);
 }
 
-void readBreakage(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
-  readPlanes(reader, snapshot.fragmentOfNode, size.nodes);
-  readFlags(reader, snapshot.brokenBonds, size.bonds);
-  readFlags(reader, snapshot.brokenCells, size.cells);
-  readFirstColumn(reader, snapshot.fragments, &Fragment::id, size.nodes);
-  readColumn(reader, snapshot.fragments, &Fragment::parent);
-  readColumn(reader, snapshot.fragments, &Fragment::born);
-  readColumn(reader, snapshot.fragments, &Fragment::nodeCount);
-  readColumn(reader, snapshot.fragments, &Fragment::mass);
-}
-
 void readMoment(ByteReader& reader, Snapshot& snapshot) {
   reader.read(snapshot.time);
   reader.read(snapshot.stepCount);
@@ -88,11 +80,11 @@ void readMotion(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot)
 }
 
 void readFragments(ByteReader& reader, Snapshot& snapshot) {
-  readColumn(reader, snapshot.fragments, &Fragment::centre);
-  readColumn(reader, snapshot.fragments, &Fragment::velocity);
-  readColumn(reader, snapshot.fragments, &Fragment::boxMin);
-  readColumn(reader, snapshot.fragments, &Fragment::boxMax);
-  readColumn(reader, snapshot.fragments, &Fragment::state);
+  readColumn(reader, snapshot.fragments, &MovingFragment::centre);
+  readColumn(reader, snapshot.fragments, &MovingFragment::velocity);
+  readColumn(reader, snapshot.fragments, &MovingFragment::boxMin);
+  readColumn(reader, snapshot.fragments, &MovingFragment::boxMax);
+  readColumn(reader, snapshot.fragments, &MovingFragment::state);
 }
 
 void readFrame(ByteReader& reader, const NetworkSize& size, Snapshot& snapshot) {
@@ -128,11 +120,19 @@ void putMoment(ByteWriter& writer, const Snapshot& snapshot) {
 }
 
 void putFragments(ByteWriter& writer, const Snapshot& snapshot) {
-  putColumn(writer, snapshot.fragments, &Fragment::centre);
-  putColumn(writer, snapshot.fragments, &Fragment::velocity);
-  putColumn(writer, snapshot.fragments, &Fragment::boxMin);
-  putColumn(writer, snapshot.fragments, &Fragment::boxMax);
-  putColumn(writer, snapshot.fragments, &Fragment::state);
+  putColumn(writer, snapshot.fragments, &MovingFragment::centre);
+  putColumn(writer, snapshot.fragments, &MovingFragment::velocity);
+  putColumn(writer, snapshot.fragments, &MovingFragment::boxMin);
+  putColumn(writer, snapshot.fragments, &MovingFragment::boxMax);
+  putColumn(writer, snapshot.fragments, &MovingFragment::state);
+}
+
+/// A snapshot with the fragments that are to be read for it.
+Snapshot stillOf(const BrokenPointer& broken) {
+  Snapshot snapshot;
+  snapshot.broken = broken;
+  for (const Fragment& fragment : broken->fragments) snapshot.fragments.push_back({.id = fragment.id});
+  return snapshot;
 }
 
 bool sameBits(const Vec3& a, const Vec3& b) {
@@ -140,14 +140,14 @@ bool sameBits(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), sizeof(Vec3)) == 0;
 }
 
-std::optional<std::string> faultOfFragments(const NetworkSize& size, const Snapshot& snapshot) {
-  const std::vector<Fragment>& fragments = snapshot.fragments;
+std::optional<std::string> faultOfFragments(const NetworkSize& size, const Broken& broken) {
+  const std::vector<Fragment>& fragments = broken.fragments;
   const auto outOfOrder = [](const Fragment& a, const Fragment& b) { return a.id >= b.id; };
   if (std::ranges::adjacent_find(fragments, outOfOrder) != fragments.end())
     return "its fragments are out of order";
   FragmentId known = kNone;
   for (std::size_t node = 0; node < size.nodes; ++node) {
-    const FragmentId id = snapshot.fragmentOfNode[node];
+    const FragmentId id = broken.fragmentOfNode[node];
     if (id == known) continue;
     const auto found = std::ranges::lower_bound(fragments, id, {}, &Fragment::id);
     if (id != kNone && (found == fragments.end() || found->id != id))
@@ -160,14 +160,17 @@ std::optional<std::string> faultOfFragments(const NetworkSize& size, const Snaps
 }  // namespace
 
 std::optional<std::string> faultOf(const NetworkSize& size, const Snapshot& snapshot) {
+  const Broken& broken = *snapshot.broken;
   if (snapshot.positions.size() != size.nodes || snapshot.velocities.size() != size.nodes ||
-      snapshot.fragmentOfNode.size() != size.nodes)
+      broken.fragmentOfNode.size() != size.nodes)
     return "it has another number of nodes than the network";
-  if (snapshot.brokenBonds.size() != size.bonds) return "it has another number of bonds than the network";
-  if (snapshot.brokenCells.size() != size.cells) return "it has another number of cells than the network";
-  if (snapshot.fragments.size() > size.nodes) return "it has more fragments than nodes";
+  if (broken.bonds.size() != size.bonds) return "it has another number of bonds than the network";
+  if (broken.cells.size() != size.cells) return "it has another number of cells than the network";
+  if (broken.fragments.size() > size.nodes) return "it has more fragments than nodes";
+  if (!std::ranges::equal(snapshot.fragments, broken.fragments, {}, &MovingFragment::id, &Fragment::id))
+    return "other fragments move than there are";
   if (!std::isfinite(snapshot.time)) return "its time is not finite";
-  return faultOfFragments(size, snapshot);
+  return faultOfFragments(size, broken);
 }
 
 std::optional<std::string> faultOf(const NetworkSize& size, const std::vector<BreakEvent>& events) {
@@ -181,16 +184,16 @@ std::optional<std::string> faultOf(const NetworkSize& size, const std::vector<Br
   return "break event " + std::to_string(found - events.begin()) + " names what is not in the network";
 }
 
-ByteWriter encodeBreakage(const Snapshot& snapshot) {
+ByteWriter encodeBreakage(const Broken& broken) {
   ByteWriter writer;
-  putPlanes(writer, snapshot.fragmentOfNode);
-  putFlags(writer, snapshot.brokenBonds);
-  putFlags(writer, snapshot.brokenCells);
-  putColumn(writer, snapshot.fragments, &Fragment::id);
-  putColumn(writer, snapshot.fragments, &Fragment::parent);
-  putColumn(writer, snapshot.fragments, &Fragment::born);
-  putColumn(writer, snapshot.fragments, &Fragment::nodeCount);
-  putColumn(writer, snapshot.fragments, &Fragment::mass);
+  putPlanes(writer, broken.fragmentOfNode);
+  putFlags(writer, broken.bonds);
+  putFlags(writer, broken.cells);
+  putColumn(writer, broken.fragments, &Fragment::id);
+  putColumn(writer, broken.fragments, &Fragment::parent);
+  putColumn(writer, broken.fragments, &Fragment::born);
+  putColumn(writer, broken.fragments, &Fragment::nodeCount);
+  putColumn(writer, broken.fragments, &Fragment::mass);
   return writer;
 }
 
@@ -240,12 +243,24 @@ std::optional<std::uint64_t> wholeFrameOf(std::span<const std::byte> change) {
   return whole;
 }
 
+Result<BrokenPointer> decodeBreakage(const NetworkSize& size, std::span<const std::byte> breakage) {
+  Broken broken;
+  ByteReader reader(breakage);
+  readPlanes(reader, broken.fragmentOfNode, size.nodes);
+  readFlags(reader, broken.bonds, size.bonds);
+  readFlags(reader, broken.cells, size.cells);
+  readFirstColumn(reader, broken.fragments, &Fragment::id, size.nodes);
+  readColumn(reader, broken.fragments, &Fragment::parent);
+  readColumn(reader, broken.fragments, &Fragment::born);
+  readColumn(reader, broken.fragments, &Fragment::nodeCount);
+  readColumn(reader, broken.fragments, &Fragment::mass);
+  if (!reader.finished()) return Problem{"", "its record of what is broken is damaged", ""};
+  return sealed(std::move(broken));
+}
+
 Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> frame,
-                                std::span<const std::byte> breakage) {
-  Snapshot snapshot;
-  ByteReader breakageReader(breakage);
-  readBreakage(breakageReader, size, snapshot);
-  if (!breakageReader.finished()) return Problem{"", "its record of what is broken is damaged", ""};
+                                const BrokenPointer& broken) {
+  Snapshot snapshot = stillOf(broken);
   ByteReader frameReader(frame);
   readFrame(frameReader, size, snapshot);
   if (!frameReader.finished()) return Problem{"", "its record of what moves is damaged", ""};
@@ -254,11 +269,8 @@ Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::by
 }
 
 Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> change,
-                                std::span<const std::byte> whole, std::span<const std::byte> breakage) {
-  Snapshot snapshot;
-  ByteReader breakageReader(breakage);
-  readBreakage(breakageReader, size, snapshot);
-  if (!breakageReader.finished()) return Problem{"", "its record of what is broken is damaged", ""};
+                                std::span<const std::byte> whole, const BrokenPointer& broken) {
+  Snapshot snapshot = stillOf(broken);
   // What follows in the whole frame is of fragments as they were then.
   ByteReader wholeReader(whole);
   readMoment(wholeReader, snapshot);

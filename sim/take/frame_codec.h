@@ -13,10 +13,8 @@
 
 namespace sim {
 
-// Contents of the chunks that record motion. A snapshot is stored in two parts: its breakage (what is broken,
-// which node is in which fragment, and what of the fragments is settled at birth), which in most frames is
-// what it was, and the frame (all that moves). Both encodings are a function of the snapshot alone, so equal
-// breakage has equal bytes and is found by comparing them.
+// Contents of the chunks that record motion. A snapshot is stored in two parts: its breakage, which in most
+// frames is what it was (Broken), and the frame, which is all that moves.
 
 /// What the arrays of a snapshot must agree with.
 struct NetworkSize {
@@ -28,7 +26,7 @@ struct NetworkSize {
   }
 };
 
-ByteWriter encodeBreakage(const Snapshot& snapshot);
+ByteWriter encodeBreakage(const Broken& broken);
 ByteWriter encodeFrame(const Snapshot& snapshot);
 
 /// How nodes stand and move in a whole frame, which later ones may lean on.
@@ -43,13 +41,15 @@ ByteWriter encodeChange(const Snapshot& snapshot, std::uint64_t whole,
                         const std::vector<std::uint8_t>& changed);
 /// What a change begins with; nothing where it is too short.
 std::optional<std::uint64_t> wholeFrameOf(std::span<const std::byte> change);
-/// What comes back has arrays of the network's sizes and passes faultOf(). Flags of broken bonds and cells
-/// come back as 0 or 1.
+/// The arrays that come back have the network's sizes.
+Result<BrokenPointer> decodeBreakage(const NetworkSize& size, std::span<const std::byte> breakage);
+
+/// What comes back has arrays of the network's sizes and passes faultOf().
 Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> frame,
-                                std::span<const std::byte> breakage);
+                                const BrokenPointer& broken);
 /// The same of a change and the whole frame it leans on.
 Result<Snapshot> decodeSnapshot(const NetworkSize& size, std::span<const std::byte> change,
-                                std::span<const std::byte> whole, std::span<const std::byte> breakage);
+                                std::span<const std::byte> whole, const BrokenPointer& broken);
 
 ByteWriter encodeEvents(const std::vector<BreakEvent>& events);
 /// Every index that comes back is in the network.

@@ -95,20 +95,37 @@ double FileTakeReader::frameTime(std::size_t frame) const {
   return index_.chunks[index_.frames[frame].chunk].header.time;
 }
 
+Result<BrokenPointer> FileTakeReader::brokenAt(std::size_t chunk) const {
+  {
+    const std::lock_guard lock(brokenMutex_);
+    if (BrokenPointer held = held_[chunk].lock()) return newest_ = held;
+  }
+  const auto bytes = content(chunk);
+  if (!bytes) return Problem{"", "its record cannot be read", ""};
+  auto broken = decodeBreakage(size_, *bytes);
+  if (!broken) return broken;
+  const std::lock_guard lock(brokenMutex_);
+  // Another thread may have read it meanwhile.
+  newest_ = held_[chunk].lock();
+  if (!newest_) held_[chunk] = newest_ = std::move(broken).value();
+  return newest_;
+}
+
 Result<Snapshot> FileTakeReader::snapshotAt(const TakeIndex::Frame& place) const {
   const Problem lost{"", "its record cannot be read", ""};
   const auto frame = content(place.chunk);
-  const auto breakage = content(place.breakage);
-  if (!frame || !breakage) return lost;
+  if (!frame) return lost;
+  const auto broken = brokenAt(place.breakage);
+  if (!broken) return broken.problem();
   if (index_.chunks[place.chunk].header.kind == ChunkKind::frame)
-    return decodeSnapshot(size_, *frame, *breakage);
+    return decodeSnapshot(size_, *frame, *broken);
   const auto sequence = wholeFrameOf(*frame);
   const std::size_t chunk =
       sequence ? chunkOfSequence(index_, *sequence, ChunkKind::frame) : TakeIndex::kNoChunk;
   if (chunk == TakeIndex::kNoChunk) return Problem{"", "the frame it leans on is lost", ""};
   const auto whole = content(chunk);
   if (!whole) return lost;
-  return decodeSnapshot(size_, *frame, *whole, *breakage);
+  return decodeSnapshot(size_, *frame, *whole, *broken);
 }
 
 Result<SnapshotPointer> FileTakeReader::frame(std::size_t index) const {

@@ -23,8 +23,8 @@ struct Progress {
   std::uint64_t nextSequence = 0;
   std::uint64_t nextFrame = 0;
   double lastTime = -std::numeric_limits<double>::infinity();
-  /// The breakage stored last, as encoded, and its chunk: kNoBase before the first.
-  std::vector<std::byte> breakage;
+  /// Version of what was stored last as broken, and its chunk: kNoBase before the first.
+  std::uint64_t brokenVersion = 0;
   std::uint64_t breakageSequence = ChunkHeader::kNoBase;
   /// The last whole frame, its chunk and its number.
   WholeFrame whole;
@@ -83,9 +83,8 @@ Status FileTakeWriter::appendFrame(const Snapshot& frame,
   ByteWriter out;
   std::uint64_t sequence = progress_.nextSequence;
   std::uint64_t breakageSequence = progress_.breakageSequence;
-  ByteWriter breakage = encodeBreakage(frame);
-  const bool broken = breakageSequence == ChunkHeader::kNoBase ||
-                      !std::ranges::equal(breakage.bytes(), std::span(progress_.breakage));
+  const bool broken =
+      breakageSequence == ChunkHeader::kNoBase || frame.broken->version != progress_.brokenVersion;
   ChunkHeader header;
   header.frame = progress_.nextFrame;
   header.time = frame.time;
@@ -95,7 +94,7 @@ Status FileTakeWriter::appendFrame(const Snapshot& frame,
     appendChunk(out, header, content);
     return header.sequence;
   };
-  if (broken) breakageSequence = put(ChunkKind::breakage, breakage.bytes());
+  if (broken) breakageSequence = put(ChunkKind::breakage, encodeBreakage(*frame.broken).bytes());
   if (!eventsSinceLastFrame.empty()) put(ChunkKind::events, encodeEvents(eventsSinceLastFrame).bytes());
   header.base = breakageSequence;
   const std::vector<std::uint8_t> changed = nodesToRecord(frame);
@@ -116,7 +115,7 @@ Status FileTakeWriter::appendFrame(const Snapshot& frame,
   ++progress_.nextFrame;
   progress_.lastTime = frame.time;
   progress_.breakageSequence = breakageSequence;
-  if (broken) progress_.breakage = std::move(breakage).take();
+  progress_.brokenVersion = frame.broken->version;
   return Done{};
 }
 
@@ -178,7 +177,8 @@ Status findWhole(const FileTakeReader& reader, std::size_t frame, Progress& prog
 
 /// Where to go on after a frame, once all that is to be kept of it is seen to be intact.
 Result<Progress> progressAfter(const FileTakeReader& reader, std::size_t frame) {
-  if (const auto snapshot = reader.frame(frame); !snapshot) return snapshot.problem();
+  const auto snapshot = reader.frame(frame);
+  if (!snapshot) return snapshot.problem();
   if (const auto checkpoint = reader.checkpoint(frame); !checkpoint) return checkpoint.problem();
   const TakeIndex& index = reader.index();
   const TakeIndex::Frame& place = index.frames[frame];
@@ -187,7 +187,7 @@ Result<Progress> progressAfter(const FileTakeReader& reader, std::size_t frame) 
   progress.nextSequence = index.chunks[place.checkpoint].header.sequence + 1;
   progress.nextFrame = frameHeader.frame + 1;
   progress.lastTime = frameHeader.time;
-  progress.breakage = reader.content(place.breakage).value_or(std::vector<std::byte>());
+  progress.brokenVersion = (*snapshot)->broken->version;
   progress.breakageSequence = frameHeader.base;
   if (const Status found = findWhole(reader, frame, progress); !found) return found.problem();
   return progress;

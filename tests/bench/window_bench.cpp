@@ -46,7 +46,7 @@ Film filmOf(const char* file) {
   };
   Film film;
   film.footage = orEnd(ui::Footage::open(file));
-  film.scene = std::make_shared<const modeling::Scene>(film.footage->scene());
+  film.scene = film.footage->scene();
   for (std::size_t frame = 0; frame < film.footage->frameCount(); ++frame)
     film.frames.push_back(orEnd(film.footage->frame(frame)));
   return film;

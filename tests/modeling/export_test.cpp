@@ -15,6 +15,7 @@
 
 #include "sim/base/random.h"
 #include "sim/surface/surface_mesh.h"
+#include "tests/support/change_broken.h"
 #include "tests/support/grid_network.h"
 #include "tests/support/memory_take.h"
 
@@ -39,9 +40,14 @@ MemoryTake breakingBar() {
         frame.velocities[node][axis] =
             1e-9 * sim::normalAt(number + 10, 3 * node + static_cast<std::uint64_t>(axis));
       }
-      if (number > 0) frame.fragmentOfNode[node] = network.positions[node].x() < 1.5 ? 3 : 5;
     }
-    if (number > 0) tests::breakBetween(network, 1.5, frame);
+    if (number > 0) {
+      tests::breakBetween(network, 1.5, frame);
+      tests::changeBroken(frame, [&](sim::Broken& broken) {
+        for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node)
+          broken.fragmentOfNode[node] = network.positions[node].x() < 1.5 ? 3 : 5;
+      });
+    }
     frames.push_back(std::move(frame));
   }
   return {network, std::move(frames)};
@@ -99,7 +105,7 @@ TEST_CASE("extended XYZ reads back to the same numbers, in network order") {
         CHECK(std::strtod(words[1 + axis].c_str(), nullptr) == frame.positions[node][a]);
         CHECK(std::strtod(words[4 + axis].c_str(), nullptr) == frame.velocities[node][a]);
       }
-      CHECK(words[7] == std::to_string(frame.fragmentOfNode[node]));
+      CHECK(words[7] == std::to_string(frame.broken->fragmentOfNode[node]));
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "tests/sim/take_sample.h"
+#include "tests/support/change_broken.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"
 
@@ -165,7 +166,10 @@ tests::MemoryTake slabTake(const Vec3& size) {
   scene.parts.push_back(slab);
   const sim::Network network = modeling::build(scene, {}).value().network;
   sim::Snapshot moment = sim::momentAtRest(network);
-  moment.fragments = {{.id = 0, .nodeCount = static_cast<std::uint32_t>(network.nodeCount())}};
+  tests::changeBroken(moment, [&](sim::Broken& broken) {
+    broken.fragments = {{.id = 0, .nodeCount = static_cast<std::uint32_t>(network.nodeCount())}};
+  });
+  moment.fragments = {{.id = 0}};
   return {network, {moment}, modeling::writeScene(scene)};
 }
 

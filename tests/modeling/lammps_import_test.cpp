@@ -76,11 +76,12 @@ TEST_CASE("a dump of LAMMPS becomes a take: nodes where they were, what is gone 
     CHECK((last.positions[node] - import.network.positions[node] - sim::Vec3(0.1, 0.2, 0.3)).norm() < 1e-15);
     CHECK(last.velocities[node] == sim::Vec3(1.0, 2.0, 3.0));
   }
-  CHECK(last.brokenCells == std::vector<std::uint8_t>{1});
+  CHECK(last.broken->cells == std::vector<std::uint8_t>{1});
   CHECK(take->events()->size() == 3);
-  REQUIRE(last.fragments.size() == 2);
-  CHECK(last.fragments[0].nodeCount + last.fragments[1].nodeCount == 8);
-  CHECK(last.fragments[1].born == 0.25);
+  const std::vector<sim::Fragment>& fragments = last.broken->fragments;
+  REQUIRE(fragments.size() == 2);
+  CHECK(fragments[0].nodeCount + fragments[1].nodeCount == 8);
+  CHECK(fragments[1].born == 0.25);
   CHECK(last.ledger.energy.kinetic == Approx(0.5 * 8.0 * 14.0));
 }
 

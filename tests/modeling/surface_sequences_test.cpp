@@ -11,6 +11,7 @@
 #include "modeling/exchange/export.h"
 #include "sim/surface/level_surface.h"
 #include "tests/sim/take_sample.h"
+#include "tests/support/change_broken.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"
 
@@ -62,17 +63,20 @@ tests::MemoryTake withCrumb() {
   const tests::MemoryTake take = tests::flyingPieces(2, 2);
   const sim::Network& network = take.network();
   sim::Snapshot moment = **take.frame(1);
+  sim::Broken broken = *moment.broken;
   const auto crumb = static_cast<sim::NodeIndex>(network.nodeCount() - 1);
   for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond)
-      if (a == crumb || network.bondEnds[bond] == crumb) moment.brokenBonds[bond] = 1;
+      if (a == crumb || network.bondEnds[bond] == crumb) broken.bonds[bond] = 1;
   }
   for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
     const sim::CellCorners& corners = network.cells[cell];
-    if (std::find(corners.begin(), corners.end(), crumb) != corners.end()) moment.brokenCells[cell] = 1;
+    if (std::find(corners.begin(), corners.end(), crumb) != corners.end()) broken.cells[cell] = 1;
   }
-  moment.fragmentOfNode[crumb] = 7;
-  moment.fragments.push_back({.id = 7, .parent = 1, .nodeCount = 1, .mass = 1.0});
+  broken.fragmentOfNode[crumb] = 7;
+  broken.fragments.push_back({.id = 7, .parent = 1, .nodeCount = 1, .mass = 1.0});
+  moment.broken = sim::sealed(std::move(broken));
+  moment.fragments.push_back({.id = 7});
   return {network, {moment}};
 }
 
@@ -203,7 +207,9 @@ TEST_CASE("angular velocities are those of the momentum that the nodes carry") {
   const Vec3 spin(1.0, -2.0, 3.0);
   for (std::size_t node = 0; node < network.nodeCount(); ++node)
     frame.velocities[node] = Vec3(5.0, 6.0, 7.0) + spin.cross(network.positions[node]);
-  frame.fragments = {{.id = 0, .nodeCount = 8, .mass = 8.0}};
+  tests::changeBroken(
+      frame, [](sim::Broken& broken) { broken.fragments = {{.id = 0, .nodeCount = 8, .mass = 8.0}}; });
+  frame.fragments = {{.id = 0}};
   const tests::MemoryTake take(network, {frame});
   const tests::ScratchFolder scratch;
   REQUIRE(modeling::writeCsv(take, {.path = scratch.file("t.csv"), .progress = {}}).ok());

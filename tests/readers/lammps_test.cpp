@@ -139,19 +139,19 @@ TEST_CASE("what breaks on LAMMPS comes back broken, in fragments that keep their
   const auto last = *take.frame(20);
   REQUIRE(last->fragments.size() > 1);
   std::size_t nodes = 0;
-  for (const sim::Fragment& fragment : last->fragments) {
+  for (const sim::Fragment& fragment : last->broken->fragments) {
     nodes += fragment.nodeCount;
     CHECK((fragment.parent == sim::kNone) == (fragment.born == 0.0));
   }
   CHECK(nodes == take.network().nodeCount());
   std::size_t broken = 0;
-  for (const std::uint8_t bond : last->brokenBonds) broken += bond;
+  for (const std::uint8_t bond : last->broken->bonds) broken += bond;
   CHECK(broken > 0);
   CHECK(take.events()->size() == broken);
   for (sim::NodeIndex a = 0; a < take.network().nodeCount(); ++a) {
     for (sim::BondIndex b = take.network().firstBond[a]; b < take.network().firstBond[a + 1]; ++b) {
-      if (last->brokenBonds[b] == 0)
-        CHECK(last->fragmentOfNode[a] == last->fragmentOfNode[take.network().bondEnds[b]]);
+      if (last->broken->bonds[b] == 0)
+        CHECK(last->broken->fragmentOfNode[a] == last->broken->fragmentOfNode[take.network().bondEnds[b]]);
     }
   }
 }

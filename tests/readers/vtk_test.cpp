@@ -40,7 +40,7 @@ TEST_CASE("VTK reads the nodes, bonds and strains of a frame") {
     REQUIRE(kind == "point");
     CHECK(position == frame.positions[node]);
     CHECK(velocity == frame.velocities[node]);
-    CHECK(fragment == frame.fragmentOfNode[node]);
+    CHECK(fragment == frame.broken->fragmentOfNode[node]);
   }
   for (sim::BondIndex bond = 0; bond < network.bondCount(); ++bond) {
     sim::NodeIndex a = 0, b = 0;
@@ -50,7 +50,7 @@ TEST_CASE("VTK reads the nodes, bonds and strains of a frame") {
     REQUIRE(kind == "bond");
     CHECK(a == network.bondStart(bond));
     CHECK(b == network.bondEnds[bond]);
-    CHECK(broken == int{frame.brokenBonds[bond]});
+    CHECK(broken == int{frame.broken->bonds[bond]});
     const double length = (frame.positions[a] - frame.positions[b]).norm();
     CHECK(strain == Approx(length / network.bond(bond).restLength - 1.0).margin(1e-12));
   }

@@ -252,7 +252,7 @@ TEST_CASE("pulling a bar apart never raises the energy") {
   const sim::Snapshot snapshot = pulled->snapshot();
   CHECK(snapshot.fragments.size() > 1);
   CHECK(pulled->maxRise() < 0.005);
-  checkNoStrings(pulled->network(), snapshot.brokenBonds, snapshot.brokenCells);
+  checkNoStrings(pulled->network(), snapshot.broken->bonds, snapshot.broken->cells);
 }
 
 TEST_CASE("dropping a block hard never raises the energy") {
@@ -267,7 +267,7 @@ TEST_CASE("dropping a block hard never raises the energy") {
   const sim::Snapshot snapshot = dropped->snapshot();
   CHECK(snapshot.fragments.size() > 3);
   CHECK(dropped->maxRise() < 0.005);
-  checkNoStrings(dropped->network(), snapshot.brokenBonds, snapshot.brokenCells);
+  checkNoStrings(dropped->network(), snapshot.broken->bonds, snapshot.broken->cells);
 }
 
 }  // namespace

@@ -77,6 +77,32 @@ TEST_CASE("a run can be taken back to where it was") {
   CHECK(endingOf(*run) == expected);
 }
 
+TEST_CASE(
+    "snapshots between two breaks share what is broken, and a resumed run calls it by the same version") {
+  const auto whole = tests::crash({});
+  const auto resumed = tests::crash({});
+  std::vector<std::uint64_t> versions{whole->snapshot().broken->version};
+  std::uint64_t bonds = 0;
+  while (whole->time() < kUntil) {
+    const sim::BrokenPointer before = whole->snapshot().broken;
+    REQUIRE(whole->stepOnce().ok());
+    const sim::BrokenPointer now = whole->snapshot().broken;
+    const bool broke = whole->brokenBondCount() != bonds;
+    bonds = whole->brokenBondCount();
+    REQUIRE((now == before) == !broke);
+    REQUIRE(now->lostBonds() == bonds);
+    if (!broke) continue;
+    REQUIRE(std::ranges::find(versions, now->version) == versions.end());
+    versions.push_back(now->version);
+    if (versions.size() % 8 != 0) continue;
+    // Whatever was looked at there before.
+    static_cast<void>(resumed->snapshot());
+    REQUIRE(resumed->restore(whole->checkpoint()).ok());
+    REQUIRE(resumed->snapshot().broken->version == now->version);
+  }
+  CHECK(versions.size() > 20);
+}
+
 std::vector<std::byte> midwayCheckpoint() {
   const auto run = tests::crash({});
   tests::run(*run, 0.6 * kUntil);

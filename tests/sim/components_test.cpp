@@ -164,11 +164,14 @@ TEST_CASE("fragments are described by their nodes") {
   const auto still = tests::simulation(std::move(two), tests::losslessSettings());
   const sim::Snapshot snapshot = still->snapshot();
   REQUIRE(snapshot.fragments.size() == 2);
-  const sim::Fragment& upper = snapshot.fragments[1];
+  REQUIRE(snapshot.broken->fragments.size() == 2);
+  const sim::Fragment& second = snapshot.broken->fragments[1];
+  CHECK(second.id == 1);
+  CHECK(second.parent == sim::kNone);
+  CHECK(second.nodeCount == 8);
+  CHECK(second.mass == Approx(1.0));
+  const sim::MovingFragment& upper = snapshot.fragments[1];
   CHECK(upper.id == 1);
-  CHECK(upper.parent == sim::kNone);
-  CHECK(upper.nodeCount == 8);
-  CHECK(upper.mass == Approx(1.0));
   CHECK((upper.centre - sim::Vec3(0.5, 0.5, 4.5)).norm() < 1e-12);
   CHECK((upper.velocity - sim::Vec3(0.0, 0.0, -5.0)).norm() < 1e-12);
   CHECK((upper.boxMin - sim::Vec3(0.0, 0.0, 4.0)).norm() < 1e-12);

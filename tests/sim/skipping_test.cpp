@@ -80,11 +80,11 @@ double strainOfPieces(const sim::Simulation& simulation, FragmentState state) {
   const sim::Network& network = simulation.network();
   const sim::Snapshot snapshot = simulation.snapshot();
   double most = 0.0;
-  for (const sim::Fragment& fragment : snapshot.fragments) {
+  for (const sim::MovingFragment& fragment : snapshot.fragments) {
     if (fragment.state != state) continue;
     for (sim::BondIndex bond = 0; bond < network.bondCount(); ++bond) {
       const sim::NodeIndex a = network.bondStart(bond);
-      if (snapshot.brokenBonds[bond] != 0 || snapshot.fragmentOfNode[a] != fragment.id) continue;
+      if (snapshot.broken->bonds[bond] != 0 || snapshot.broken->fragmentOfNode[a] != fragment.id) continue;
       const double length = (snapshot.positions[network.bondEnds[bond]] - snapshot.positions[a]).norm();
       most = std::max(most, std::abs(length / network.bond(bond).restLength - 1.0));
     }
@@ -220,7 +220,8 @@ TEST_CASE("what breaks off a held body is skipped like any other piece") {
   const std::size_t lower = end.positions.size() / 2;
   std::size_t skipped = 0;
   for (sim::NodeIndex node = 0; node < lower; ++node) {
-    const auto piece = std::ranges::find(end.fragments, end.fragmentOfNode[node], &sim::Fragment::id);
+    const auto piece =
+        std::ranges::find(end.fragments, end.broken->fragmentOfNode[node], &sim::MovingFragment::id);
     REQUIRE(piece != end.fragments.end());
     if (piece->state == FragmentState::rigid) ++skipped;
     if (!std::isfinite(run->network().masses[node])) CHECK(piece->state == FragmentState::deforming);
@@ -284,7 +285,7 @@ TEST_CASE("fragments are looked for, and energy accounted for, only where someth
   for (bool changed = true; changed;) {
     changed = false;
     for (sim::BondIndex bond = 0; bond < network.bondCount(); ++bond) {
-      if (snapshot.brokenBonds[bond] != 0) continue;
+      if (snapshot.broken->hasLostBond(bond)) continue;
       sim::NodeIndex& a = lowest[network.bondStart(bond)];
       sim::NodeIndex& b = lowest[network.bondEnds[bond]];
       changed = changed || a != b;
@@ -292,7 +293,7 @@ TEST_CASE("fragments are looked for, and energy accounted for, only where someth
     }
   }
   for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node)
-    CHECK(snapshot.fragmentOfNode[node] == snapshot.fragmentOfNode[lowest[node]]);
+    CHECK(snapshot.broken->fragmentOfNode[node] == snapshot.broken->fragmentOfNode[lowest[node]]);
   const std::set<sim::NodeIndex> pieces(lowest.begin(), lowest.end());
   CHECK(snapshot.fragments.size() == pieces.size());
 }

@@ -12,6 +12,7 @@
 #include "sim/network/wedge.h"
 #include "sim/surface/level_surface.h"
 #include "sim/surface/surface_mesh.h"
+#include "tests/support/change_broken.h"
 #include "tests/support/grid_network.h"
 
 namespace {
@@ -101,9 +102,10 @@ Network shakenBlock(unsigned nx, unsigned ny, unsigned nz, std::uint64_t seed) {
 /// fragments.
 Snapshot broken(const Network& network, const std::set<sim::CellIndex>& cells) {
   Snapshot moment = sim::momentAtRest(network);
+  sim::Broken made = *moment.broken;
   std::vector<int> liveCells(network.bondCount(), 0);
   for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
-    moment.brokenCells[cell] = cells.contains(cell) ? 1 : 0;
+    made.cells[cell] = cells.contains(cell) ? 1 : 0;
     if (cells.contains(cell)) continue;
     for (const NodeIndex a : network.cells[cell]) {
       for (const NodeIndex b : network.cells[cell]) {
@@ -113,7 +115,7 @@ Snapshot broken(const Network& network, const std::set<sim::CellIndex>& cells) {
     }
   }
   for (sim::BondIndex bond = 0; bond < network.bondCount(); ++bond) {
-    moment.brokenBonds[bond] = liveCells[bond] == 0 ? 1 : 0;
+    made.bonds[bond] = liveCells[bond] == 0 ? 1 : 0;
   }
   std::vector<NodeIndex> label(network.nodeCount());
   for (NodeIndex node = 0; node < network.nodeCount(); ++node) label[node] = node;
@@ -122,13 +124,14 @@ Snapshot broken(const Network& network, const std::set<sim::CellIndex>& cells) {
     for (NodeIndex a = 0; a < network.nodeCount(); ++a) {
       for (auto bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
         const NodeIndex b = network.bondEnds[bond];
-        if (moment.brokenBonds[bond] != 0 || label[a] == label[b]) continue;
+        if (made.bonds[bond] != 0 || label[a] == label[b]) continue;
         label[a] = label[b] = std::min(label[a], label[b]);
         changed = true;
       }
     }
   }
-  moment.fragmentOfNode.assign(label.begin(), label.end());
+  made.fragmentOfNode.assign(label.begin(), label.end());
+  moment.broken = sim::sealed(std::move(made));
   return moment;
 }
 
@@ -299,14 +302,14 @@ TEST_CASE("pieces that only moved rigidly keep their shape, and fit when put bac
   Snapshot moment = broken(network, cells);
   std::map<sim::FragmentId, std::pair<Eigen::Quaterniond, Vec3>> motions;
   for (const sim::FragmentId fragment :
-       std::set(moment.fragmentOfNode.begin(), moment.fragmentOfNode.end())) {
+       std::set(moment.broken->fragmentOfNode.begin(), moment.broken->fragmentOfNode.end())) {
     const auto random = [&](std::uint64_t i) { return sim::uniformAt(5, 16 * fragment + i) - 0.5; };
     motions[fragment] = {Eigen::Quaterniond(random(0), random(1), random(2), random(3)).normalized(),
                          20.0 * Vec3(random(4), random(5), random(6))};
   }
   REQUIRE(motions.size() == 2);
   for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
-    const auto& [turn, shift] = motions.at(moment.fragmentOfNode[node]);
+    const auto& [turn, shift] = motions.at(moment.broken->fragmentOfNode[node]);
     moment.positions[node] = turn * network.positions[node] + shift;
   }
   const SurfaceMesh mesh = SurfaceBuilder(network).build(moment);
@@ -327,17 +330,19 @@ TEST_CASE("smoothing takes the staircase out of a slanted crack and leaves the o
     const Vec3& at = network.positions[node];
     return at.x() > 0.5 * at.y() + 4.1;
   };
+  sim::Broken made = *moment.broken;
   for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
     const auto& corners = network.cells[cell];
     for (const NodeIndex corner : corners) {
-      if (side(corner) != side(corners[0])) moment.brokenCells[cell] = 1;
+      if (side(corner) != side(corners[0])) made.cells[cell] = 1;
     }
   }
   for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
-    moment.fragmentOfNode[node] = side(node) ? 1 : 0;
+    made.fragmentOfNode[node] = side(node) ? 1 : 0;
     for (auto bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond)
-      moment.brokenBonds[bond] = side(node) != side(network.bondEnds[bond]) ? 1 : 0;
+      made.bonds[bond] = side(node) != side(network.bondEnds[bond]) ? 1 : 0;
   }
+  moment.broken = sim::sealed(std::move(made));
   const SurfaceMesh mesh = SurfaceBuilder(network).build(moment);
   double worst = 0.0;
   for (const auto& face : mesh.faces) {
@@ -399,7 +404,7 @@ TEST_CASE("damage is the share of broken bonds about a point") {
   Snapshot moment = sim::momentAtRest(network);
   const SurfaceMesh whole = SurfaceBuilder(network).build(moment);
   CHECK(*std::max_element(whole.damage.begin(), whole.damage.end()) == 0.0F);
-  moment.brokenBonds[network.findBond(0, 1)] = 1;
+  tests::changeBroken(moment, [&](sim::Broken& made) { made.bonds[network.findBond(0, 1)] = 1; });
   const SurfaceMesh mesh = SurfaceBuilder(network).build(moment);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     CHECK(mesh.damage[i] == Approx(mesh.nodeOfPoint[i] <= 1 ? 1.0 / 3.0 : 0.0));
@@ -503,8 +508,10 @@ TEST_CASE("loose nodes can be tetrahedra or spheres of as much material as they 
 TEST_CASE("a node that still hangs on a bond is not loose") {
   const Network network = gridNetwork(1, 1, 1);
   Snapshot moment = broken(network, {0});
-  moment.brokenBonds[0] = 0;
-  moment.fragmentOfNode[network.bondEnds[0]] = moment.fragmentOfNode[0];
+  tests::changeBroken(moment, [&](sim::Broken& made) {
+    made.bonds[0] = 0;
+    made.fragmentOfNode[network.bondEnds[0]] = made.fragmentOfNode[0];
+  });
   const SurfaceMesh mesh = SurfaceBuilder(network, LooseNodes::tetrahedra).build(moment);
   const auto triangles = std::count_if(mesh.faces.begin(), mesh.faces.end(),
                                        [](const auto& face) { return face.cell == sim::kNone; });
@@ -534,11 +541,13 @@ TEST_CASE("the level surface of a network is closed, holds its nodes, and knows 
   const sim::Network network = tests::gridNetwork(4, 3, 2);
   sim::Snapshot moment = sim::momentAtRest(network);
   tests::breakBetween(network, 2.5, moment);
+  sim::Broken made = *moment.broken;
   for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
     const bool second = network.positions[node].x() > 2.5;
-    moment.fragmentOfNode[node] = second ? 1 : 0;
+    made.fragmentOfNode[node] = second ? 1 : 0;
     if (second) moment.positions[node].x() += 5.0;
   }
+  moment.broken = sim::sealed(std::move(made));
   const sim::SurfaceMesh mesh = sim::levelSurfaceOf(network, moment, {});
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   double volume = 0.0;

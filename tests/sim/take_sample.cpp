@@ -19,7 +19,8 @@ bool sameBytes(const sim::ByteWriter& a, const sim::ByteWriter& b) {
   return std::equal(a.bytes().begin(), a.bytes().end(), b.bytes().begin(), b.bytes().end());
 }
 
-void addFragments(const sim::Network& network, std::size_t number, sim::Snapshot& frame) {
+void addFragments(const sim::Network& network, std::size_t number, sim::Snapshot& frame,
+                  sim::Broken& broken) {
   const std::size_t count = std::min(1 + brokenAt(number) / 2, network.nodeCount());
   for (std::size_t f = 0; f < count; ++f) {
     sim::Fragment fragment;
@@ -28,12 +29,15 @@ void addFragments(const sim::Network& network, std::size_t number, sim::Snapshot
     fragment.born = 0.01 * static_cast<double>(f);
     fragment.nodeCount = f == 0 ? static_cast<std::uint32_t>(network.nodeCount() - count + 1) : 1;
     fragment.mass = fragment.nodeCount;
-    fragment.centre = frame.positions[f];
-    fragment.velocity = frame.velocities[f];
-    fragment.boxMin = fragment.centre - sim::Vec3(0.5, 0.25, 1.0 / 3.0);
-    fragment.boxMax = fragment.centre + sim::Vec3(0.5, 0.25, 1.0 / 3.0);
-    frame.fragments.push_back(fragment);
-    if (f > 0) frame.fragmentOfNode[f - 1] = fragment.id;
+    sim::MovingFragment moving;
+    moving.id = fragment.id;
+    moving.centre = frame.positions[f];
+    moving.velocity = frame.velocities[f];
+    moving.boxMin = moving.centre - sim::Vec3(0.5, 0.25, 1.0 / 3.0);
+    moving.boxMax = moving.centre + sim::Vec3(0.5, 0.25, 1.0 / 3.0);
+    broken.fragments.push_back(fragment);
+    frame.fragments.push_back(moving);
+    if (f > 0) broken.fragmentOfNode[f - 1] = fragment.id;
   }
 }
 
@@ -55,14 +59,16 @@ sim::Snapshot sampleFrame(const sim::Network& network, std::size_t number) {
                               sim::Vec3(shake(random), shake(random), shake(random) - 490.5 * time * time));
     frame.velocities.push_back(sim::Vec3(shake(random), shake(random), shake(random) - 981.0 * time));
   }
-  frame.fragmentOfNode.assign(network.nodeCount(), 0);
-  frame.brokenBonds.assign(network.bondCount(), 0);
-  frame.brokenCells.assign(network.cellCount(), 0);
+  sim::Broken broken;
+  broken.fragmentOfNode.assign(network.nodeCount(), 0);
+  broken.bonds.assign(network.bondCount(), 0);
+  broken.cells.assign(network.cellCount(), 0);
   for (std::size_t b = 0; b < brokenAt(number); ++b) {
-    frame.brokenBonds[7 * b % network.bondCount()] = 1;
-    frame.brokenCells[b % network.cellCount()] = 1;
+    broken.bonds[7 * b % network.bondCount()] = 1;
+    broken.cells[b % network.cellCount()] = 1;
   }
-  addFragments(network, number, frame);
+  addFragments(network, number, frame, broken);
+  frame.broken = sim::sealed(std::move(broken));
   frame.ledger.time = time;
   frame.ledger.energy = {1.0 + time, 2.0 / 3.0, -time, 0.1, 0.2, 0.3, 0.4, 1e-17};
   frame.ledger.linearMomentum = sim::Vec3(0.0, -0.0, -981.0 * time);
@@ -105,7 +111,8 @@ sim::Status appendSample(sim::TakeWriter& writer, const sim::Network& network, s
 
 bool identical(const sim::Snapshot& a, const sim::Snapshot& b) {
   return sameBytes(sim::encodeFrame(a), sim::encodeFrame(b)) &&
-         sameBytes(sim::encodeBreakage(a), sim::encodeBreakage(b));
+         sameBytes(sim::encodeBreakage(*a.broken), sim::encodeBreakage(*b.broken)) &&
+         a.broken->version == b.broken->version;
 }
 
 bool identical(const std::vector<sim::BreakEvent>& a, const std::vector<sim::BreakEvent>& b) {

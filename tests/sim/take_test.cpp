@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <random>
 
 #include <catch2/catch.hpp>
@@ -10,6 +11,7 @@
 #include "sim/take/frame_codec.h"
 #include "sim/take/head_codec.h"
 #include "tests/sim/take_sample.h"
+#include "tests/support/change_broken.h"
 #include "tests/support/grid_network.h"
 
 using namespace tests;
@@ -59,9 +61,10 @@ TEST_CASE("a take gives back what was recorded, bit for bit, in any order", "[ta
     CHECK(identical(**read, expected));
     CHECK((*read)->positions == expected.positions);
     CHECK((*read)->velocities == expected.velocities);
-    CHECK((*read)->fragmentOfNode == expected.fragmentOfNode);
-    CHECK((*read)->brokenBonds == expected.brokenBonds);
-    CHECK((*read)->brokenCells == expected.brokenCells);
+    CHECK((*read)->broken->fragmentOfNode == expected.broken->fragmentOfNode);
+    CHECK((*read)->broken->bonds == expected.broken->bonds);
+    CHECK((*read)->broken->cells == expected.broken->cells);
+    CHECK((*read)->broken->version == expected.broken->version);
     CHECK((*read)->fragments.size() == expected.fragments.size());
     CHECK((*read)->ledger.energy.residual == 1e-17);
     CHECK(take.frameTime(frame) == expected.time);
@@ -107,8 +110,10 @@ TEST_CASE("doubles of every kind survive a frame", "[take]") {
                            std::numeric_limits<double>::max(), -std::numeric_limits<double>::infinity(),
                            std::numeric_limits<double>::quiet_NaN()};
   for (std::size_t i = 0; i < std::size(limits); ++i) frame.velocities[i].setConstant(limits[i]);
-  const auto decoded = sim::decodeSnapshot(sim::NetworkSize::of(network), sim::encodeFrame(frame).bytes(),
-                                           sim::encodeBreakage(frame).bytes());
+  const sim::NetworkSize size = sim::NetworkSize::of(network);
+  const auto broken = sim::decodeBreakage(size, sim::encodeBreakage(*frame.broken).bytes());
+  REQUIRE(broken.ok());
+  const auto decoded = sim::decodeSnapshot(size, sim::encodeFrame(frame).bytes(), *broken);
   REQUIRE(decoded.ok());
   CHECK(identical(*decoded, frame));
 }
@@ -124,13 +129,41 @@ TEST_CASE("what did not break is stored once", "[take]") {
   const auto once = std::filesystem::file_size(path);
   REQUIRE((*writer)->appendFrame(frame, {}).ok());
   const auto same = std::filesystem::file_size(path) - once;
-  frame.brokenBonds[3] ^= 1;
+  tests::changeBroken(frame, [](sim::Broken& broken) { broken.bonds[3] ^= 1; });
   REQUIRE((*writer)->appendFrame(frame, {}).ok());
   const auto changed = std::filesystem::file_size(path) - once - same;
   CHECK(same < changed);
   auto take = sim::TakeReader::open(path);
   REQUIRE(take.ok());
-  CHECK((*take)->frame(1).value()->brokenBonds != (*take)->frame(2).value()->brokenBonds);
+  CHECK((*take)->frame(0).value()->broken->version == (*take)->frame(1).value()->broken->version);
+  CHECK((*take)->frame(1).value()->broken->version != (*take)->frame(2).value()->broken->version);
+  CHECK((*take)->frame(1).value()->broken->bonds != (*take)->frame(2).value()->broken->bonds);
+}
+
+TEST_CASE("frames share what is broken where nothing broke between them, in whatever order they are read",
+          "[take]") {
+  const ScratchFolder folder;
+  const sim::Network network = gridNetwork(3, 3, 3);
+  record(folder.file("block.take"), network, 20);
+  const auto take = sim::TakeReader::open(folder.file("block.take"));
+  REQUIRE(take.ok());
+  std::vector<std::size_t> order(20);
+  for (std::size_t frame = 0; frame < order.size(); ++frame) order[frame] = frame;
+  std::mt19937 random(7);
+  for (int round = 0; round < 5; ++round) {
+    std::shuffle(order.begin(), order.end(), random);
+    std::map<std::size_t, sim::SnapshotPointer> read;
+    for (const std::size_t frame : order) read[frame] = (*take)->frame(frame).value();
+    for (std::size_t a = 0; a < order.size(); ++a) {
+      CHECK(read[a]->broken->version == sampleFrame(network, a).broken->version);
+      for (std::size_t b = 0; b < a; ++b) {
+        // Frames 1 to 3 are of one state of breaking, 4 to 6 of the next.
+        const bool same = (a + 2) / 3 == (b + 2) / 3;
+        CHECK((read[a]->broken == read[b]->broken) == same);
+        CHECK((read[a]->broken->version == read[b]->broken->version) == same);
+      }
+    }
+  }
 }
 
 TEST_CASE("what did not move is left out, and read back all the same", "[take]") {
@@ -190,10 +223,18 @@ TEST_CASE("a frame that is not of the network is refused and leaves the take as 
   };
   using Events = std::vector<sim::BreakEvent>;
   refused([](sim::Snapshot& frame, Events&) { frame.positions.pop_back(); });
-  refused([](sim::Snapshot& frame, Events&) { frame.brokenBonds.push_back(0); });
-  refused([](sim::Snapshot& frame, Events&) { frame.brokenCells.clear(); });
-  refused([](sim::Snapshot& frame, Events&) { frame.fragmentOfNode[1] = 99; });
+  const auto refusedBroken = [&](const std::function<void(sim::Broken&)>& spoil) {
+    refused([&](sim::Snapshot& frame, Events&) { tests::changeBroken(frame, spoil); });
+  };
+  refusedBroken([](sim::Broken& broken) { broken.bonds.push_back(0); });
+  refusedBroken([](sim::Broken& broken) { broken.cells.clear(); });
+  refusedBroken([](sim::Broken& broken) { broken.fragmentOfNode[1] = 99; });
   refused([](sim::Snapshot& frame, Events&) { frame.fragments[1].id = 0; });
+  refused([](sim::Snapshot& frame, Events&) { frame.fragments.pop_back(); });
+  refused([](sim::Snapshot& frame, Events&) {
+    frame.fragments[1].id = 0;
+    tests::changeBroken(frame, [](sim::Broken& broken) { broken.fragments[1].id = 0; });
+  });
   refused([](sim::Snapshot& frame, Events&) { frame.time = 0.0; });
   refused([](sim::Snapshot& frame, Events&) { frame.time = std::numeric_limits<double>::quiet_NaN(); });
   refused([&](sim::Snapshot&, Events& events) {

@@ -58,29 +58,35 @@ sim::Snapshot frameOf(const sim::Network& network, std::size_t pieces, std::size
   sim::Snapshot frame = sim::momentAtRest(network);
   frame.time = static_cast<double>(number) / kFramesPerSecond;
   frame.stepCount = number;
+  sim::Broken broken = *frame.broken;
   for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
     const std::size_t piece = pieceOf(node, pieces);
     frame.positions[node] = moved(piece, frame.time) * network.positions[node];
-    if (number > 0) frame.fragmentOfNode[node] = static_cast<sim::FragmentId>(piece);
+    if (number > 0) broken.fragmentOfNode[node] = static_cast<sim::FragmentId>(piece);
   }
   if (number == 0) {
-    frame.fragments = {{.id = 0, .nodeCount = static_cast<std::uint32_t>(network.nodeCount())}};
+    broken.fragments = {{.id = 0, .nodeCount = static_cast<std::uint32_t>(network.nodeCount())}};
+    frame.broken = sim::sealed(std::move(broken));
+    frame.fragments = {{.id = 0}};
     return frame;
   }
-  for (sim::CellIndex cell = 1; cell < network.cellCount(); cell += 2) frame.brokenCells[cell] = 1;
+  for (sim::CellIndex cell = 1; cell < network.cellCount(); cell += 2) broken.cells[cell] = 1;
   for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
-      const bool between = frame.fragmentOfNode[a] != frame.fragmentOfNode[network.bondEnds[bond]];
-      frame.brokenBonds[bond] = between ? 1 : 0;
+      const bool between = broken.fragmentOfNode[a] != broken.fragmentOfNode[network.bondEnds[bond]];
+      broken.bonds[bond] = between ? 1 : 0;
     }
   }
   for (std::size_t piece = 0; piece < pieces; ++piece) {
-    frame.fragments.push_back({.id = static_cast<sim::FragmentId>(piece),
-                               .parent = piece == 0 ? sim::kNone : 0U,
-                               .born = piece == 0 ? 0.0 : 0.01,
-                               .nodeCount = 8,
-                               .mass = 8.0 + static_cast<double>(piece)});
+    const auto id = static_cast<sim::FragmentId>(piece);
+    broken.fragments.push_back({.id = id,
+                                .parent = piece == 0 ? sim::kNone : 0U,
+                                .born = piece == 0 ? 0.0 : 0.01,
+                                .nodeCount = 8,
+                                .mass = 8.0 + static_cast<double>(piece)});
+    frame.fragments.push_back({.id = id});
   }
+  frame.broken = sim::sealed(std::move(broken));
   return frame;
 }
 

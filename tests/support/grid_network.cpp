@@ -57,17 +57,19 @@ sim::Network gridNetwork(unsigned nx, unsigned ny, unsigned nz,
 }
 
 void breakBetween(const sim::Network& network, double x, sim::Snapshot& moment) {
+  sim::Broken broken = *moment.broken;
   const auto isBehind = [&](NodeIndex node) { return network.positions[node].x() > x; };
   for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
     for (auto bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
-      if (isBehind(node) != isBehind(network.bondEnds[bond])) moment.brokenBonds[bond] = 1;
+      if (isBehind(node) != isBehind(network.bondEnds[bond])) broken.bonds[bond] = 1;
     }
   }
   for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
     for (const NodeIndex node : network.cells[cell]) {
-      if (isBehind(node) != isBehind(network.cells[cell][0])) moment.brokenCells[cell] = 1;
+      if (isBehind(node) != isBehind(network.cells[cell][0])) broken.cells[cell] = 1;
     }
   }
+  moment.broken = sim::sealed(std::move(broken));
 }
 
 }  // namespace tests

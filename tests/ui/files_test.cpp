@@ -151,7 +151,7 @@ TEST_CASE("Takes of a killed program come back with their names, even where no s
     ui::Session session(folder);
     ui::Autosave autosave(session, folder);
     makeTake(session);
-    session.renameTake(0, "the good one");
+    session.takes().rename(0, "the good one");
     leaveBehind(folder, root);
   }
   const bool sceneIsThere = GENERATE(true, false);
@@ -161,7 +161,7 @@ TEST_CASE("Takes of a killed program come back with their names, even where no s
   CHECK(leftovers[0].scene == tests::fallingSlab());
   ui::Session session(root / "next");
   session.document().reset(leftovers[0].scene, {});
-  session.adoptTakes(leftovers[0].takes);
+  session.takes().adopt(leftovers[0].takes);
   REQUIRE(session.takes().size() == 1);
   CHECK(session.takes()[0].name == "the good one");
   CHECK(session.takes()[0].footage->frameCount() == 11);

@@ -45,11 +45,11 @@ TEST_CASE("Takes of a scene with a file are there again when it is opened by ano
     first.open(desk.file);
     first.fixture.simulateToEnd();
     hash = first.session().run()->stateHash;
-    first.session().renameTake(0, "The good one");
-    first.session().noteTake(0, "lands flat");
+    first.session().takes().rename(0, "The good one");
+    first.session().takes().setNote(0, "lands flat");
     QImage picture(8, 5, QImage::Format_RGB32);
     picture.fill(Qt::red);
-    first.session().setThumbnail(0, picture);
+    first.session().takes().setThumbnail(0, picture);
   }
   Started second(desk.root);
   second.open(desk.file);
@@ -61,7 +61,7 @@ TEST_CASE("Takes of a scene with a file are there again when it is opened by ano
   CHECK_FALSE(take.stale);
   CHECK(take.footage->frameCount() == 11);
   // It is up to date, so it is what the space bar plays.
-  REQUIRE(becomesTrue([&] { return second.session().currentTake() == std::size_t{0}; }));
+  REQUIRE(becomesTrue([&] { return second.session().takes().current() == std::size_t{0}; }));
   const auto last = take.footage->frame(10);
   REQUIRE(last);
   CHECK((*last)->stepCount > 0);
@@ -83,7 +83,7 @@ TEST_CASE("Takes made before the scene had a file are kept once it has one") {
     Started first(desk.root);
     first.session().document().reset(tests::fallingSlab(), {});
     first.fixture.simulateToEnd();
-    CHECK(first.session().hasOwnTakes());
+    CHECK(first.session().takes().hasOwn());
     CHECK_FALSE(fs::exists(desk.root / "takes"));
     REQUIRE(first.session().document().saveTo(file).ok());
   }
@@ -105,7 +105,7 @@ TEST_CASE("A take that is deleted stays deleted, and the others stay") {
     }));
     kept = first.keeper.folderOf(desk.file) / first.session().takes()[0].footage->file().filename();
     CHECK(fs::exists(kept));
-    first.session().removeTake(0);
+    first.session().takes().remove(0);
     CHECK_FALSE(fs::exists(kept));
   }
   {
@@ -113,7 +113,7 @@ TEST_CASE("A take that is deleted stays deleted, and the others stay") {
     second.open(desk.file);
     REQUIRE(becomesTrue([&] { return second.session().takes().size() == 1; }));
     CHECK(second.session().takes()[0].name == "Take 2");
-    second.session().removeTake(0);
+    second.session().takes().remove(0);
   }
   Started third(desk.root);
   third.open(desk.file);

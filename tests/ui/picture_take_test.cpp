@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/change_broken.h"
 #include "tests/support/grid_network.h"
 #include "tests/support/memory_take.h"
 #include "ui/picture/take_pictures.h"
@@ -100,7 +101,7 @@ TEST_CASE("what is whole is framed whole, and far splinters do not make the pict
   sim::Snapshot moment = sim::momentAtRest(tests::gridNetwork(4, 3, 2));
   moment.positions[0] = Vec3(-50, 0, 0);
   CHECK(ui::boxOfMost(moment).min() == Vec3(-50, 0, 0));
-  moment.fragmentOfNode[0] = 7;
+  tests::changeBroken(moment, [](sim::Broken& broken) { broken.fragmentOfNode[0] = 7; });
   const ui::Box box = ui::boxOfMost(moment);
   CHECK(box.min() == Vec3(0, 0, 0));
   CHECK(box.max() == Vec3(4, 3, 2));

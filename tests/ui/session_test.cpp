@@ -2,9 +2,12 @@
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
+#include <fstream>
+#include <iterator>
 
 #include <catch2/catch.hpp>
 
+#include "modeling/run/recording.h"
 #include "tests/ui/window_scenes.h"
 
 namespace {
@@ -15,6 +18,11 @@ using tests::fallingSlab;
 
 bool isDone(const ui::Session& session) {
   return session.run()->phase == ui::RunPhase::done;
+}
+
+std::vector<char> bytesOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 using Fixture = tests::SessionFixture;
@@ -89,6 +97,55 @@ TEST_CASE("A run can be paused, stepped and stopped, and keeps what it recorded"
   CHECK((*reader)->outcome() == "stopped");
 }
 
+TEST_CASE("The window leaves the same file as a run without one, byte for byte") {
+  Fixture fixture;
+  ui::Session& session = fixture.session;
+  const Scene scene = tests::breakingSlab();
+  session.document().reset(scene, {});
+  fixture.simulateToEnd();
+  const std::filesystem::path seen = session.takes()[0].footage->file();
+
+  auto built = modeling::build(scene, {});
+  REQUIRE(built);
+  auto simulation = sim::Simulation::create(built->network, built->conditions.environment,
+                                            built->conditions.tracks, built->conditions.settings);
+  REQUIRE(simulation);
+  const std::filesystem::path unseen = seen.parent_path() / "unseen.take";
+  auto take = modeling::createTake(unseen, built->scene, built->network);
+  REQUIRE(take);
+  auto recording = modeling::Recording::ofNewRun(**simulation, std::move(take).value(),
+                                                 {scene.output.fps, scene.output.duration});
+  REQUIRE(recording.run({}));
+  CHECK(recording.breaks() > 0);
+  CHECK(bytesOf(seen) == bytesOf(unseen));
+}
+
+TEST_CASE("A run stopped between two frames ends in a frame that it can be continued from") {
+  Fixture fixture;
+  ui::Session& session = fixture.session;
+  Scene scene = fallingSlab();
+  scene.output.duration = 1000.0;
+  session.document().reset(scene, {});
+  session.simulate();
+  REQUIRE(becomesTrue([&] { return session.run()->footage && session.run()->footage->frameCount() > 3; }));
+  session.stepRunToFrame();
+  REQUIRE(becomesTrue([&] { return session.run()->phase == ui::RunPhase::paused; }));
+  const std::uint64_t steps = session.run()->newest->stepCount;
+  session.stepRun();
+  REQUIRE(becomesTrue([&] { return session.run()->newest->stepCount == steps + 1; }));
+  session.stopRun();
+  REQUIRE(becomesTrue([&] { return isDone(session); }));
+  const std::shared_ptr<ui::Footage> footage = session.takes()[0].footage;
+  CHECK(footage->held(footage->frameCount() - 1)->stepCount == steps + 1);
+  session.playback().toLast();
+  session.continueFromFrame(false);
+  REQUIRE(becomesTrue([&] { return session.takes().size() == 2 && session.run()->newest; }));
+  CHECK_FALSE(session.run()->problem);
+  CHECK(session.run()->newest->stepCount > steps);
+  session.stopRun();
+  REQUIRE(becomesTrue([&] { return isDone(session); }));
+}
+
 TEST_CASE("A scene that cannot be built says where and why") {
   Fixture fixture;
   ui::Session& session = fixture.session;
@@ -136,7 +193,7 @@ TEST_CASE("A take continued as it was ends in the same bits, and with another sc
     CHECK(continued->held(frame)->positions == session.takes()[0].footage->held(frame)->positions);
   CHECK(session.takes()[1].continuedAt);
 
-  session.selectTake(0);
+  session.takes().select(0);
   session.playback().seek(4);
   session.document().edit("Gravity", [](Scene& scene) { scene.environment.gravity.z() = 500.0; });
   session.continueFromFrame(true);

@@ -33,10 +33,10 @@ TEST_CASE("Each run becomes a take in the list, and a click puts another on the 
                                   [](modeling::Scene& scene) { scene.environment.gravity.z() = -10.0; });
   fixture.simulateToEnd();
   REQUIRE(tests::becomesTrue([&] { return fixture.list->model()->rowCount() == 2; }));
-  CHECK(fixture.session.currentTake() == 1);
+  CHECK(fixture.session.takes().current() == 1);
   const QRect first = fixture.list->visualRect(fixture.list->model()->index(0, 0));
   QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {}, first.center());
-  CHECK(fixture.session.currentTake() == 0);
+  CHECK(fixture.session.takes().current() == 0);
   CHECK(fixture.session.playback().footage() == fixture.session.takes()[0].footage);
   CHECK(fixture.session.takes()[0].stale);
   CHECK_FALSE(fixture.session.takes()[1].stale);
@@ -56,7 +56,7 @@ TEST_CASE("A take is renamed in the list and noted below it") {
   CHECK(fixture.session.takes()[0].note == "it bounces");
   const std::filesystem::path file = fixture.session.takes()[0].footage->file();
   CHECK(std::filesystem::exists(file));
-  fixture.session.removeTake(0);
+  fixture.session.takes().remove(0);
   CHECK_FALSE(std::filesystem::exists(file));
   CHECK_FALSE(fixture.list->isVisible());
 }

@@ -21,19 +21,21 @@ sim::Vec3 movedTo(const sim::Vec3& rest) {
   return hinge + sim::Vec3(0.6, 0.0, 0.0) + Eigen::AngleAxisd(0.35, sim::Vec3::UnitY()) * (rest - hinge);
 }
 
-void addFragments(const sim::Network& network, sim::Snapshot& moment) {
+void addFragments(const sim::Network& network, sim::Snapshot& moment, sim::Broken& broken) {
   for (const sim::FragmentId id : {0U, 1U, 2U}) {
     sim::Fragment fragment;
-    fragment.id = id;
+    sim::MovingFragment moving;
+    fragment.id = moving.id = id;
     fragment.parent = id == 0 ? sim::kNone : 0;
     for (std::size_t node = 0; node < network.nodeCount(); ++node) {
-      if (moment.fragmentOfNode[node] != id) continue;
+      if (broken.fragmentOfNode[node] != id) continue;
       ++fragment.nodeCount;
       fragment.mass += network.masses[node];
-      fragment.centre += network.masses[node] * moment.positions[node];
+      moving.centre += network.masses[node] * moment.positions[node];
     }
-    fragment.centre /= fragment.mass;
-    moment.fragments.push_back(fragment);
+    moving.centre /= fragment.mass;
+    broken.fragments.push_back(fragment);
+    moment.fragments.push_back(moving);
   }
 }
 
@@ -73,22 +75,24 @@ ui::Shown brokenBlock() {
   shown.scene = std::make_shared<const modeling::Scene>(scene);
   const sim::Network& network = *shown.network;
   sim::Snapshot moment = sim::momentAtRest(network);
+  sim::Broken broken = *moment.broken;
   for (std::size_t node = 0; node < network.nodeCount(); ++node) {
-    moment.fragmentOfNode[node] = fragmentAt(network.positions[node]);
+    broken.fragmentOfNode[node] = fragmentAt(network.positions[node]);
     moment.positions[node] = movedTo(network.positions[node]);
   }
   for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
-      moment.brokenBonds[bond] = moment.fragmentOfNode[a] != moment.fragmentOfNode[network.bondEnds[bond]];
+      broken.bonds[bond] = broken.fragmentOfNode[a] != broken.fragmentOfNode[network.bondEnds[bond]];
     }
   }
   for (std::size_t cell = 0; cell < network.cellCount(); ++cell) {
     const auto& corners = network.cells[cell];
-    moment.brokenCells[cell] = std::any_of(corners.begin(), corners.end(), [&](sim::NodeIndex node) {
-      return moment.fragmentOfNode[node] != moment.fragmentOfNode[corners[0]];
+    broken.cells[cell] = std::any_of(corners.begin(), corners.end(), [&](sim::NodeIndex node) {
+      return broken.fragmentOfNode[node] != broken.fragmentOfNode[corners[0]];
     });
   }
-  addFragments(network, moment);
+  addFragments(network, moment, broken);
+  moment.broken = sim::sealed(std::move(broken));
   shown.moment = std::make_shared<const sim::Snapshot>(std::move(moment));
   return shown;
 }

@@ -62,9 +62,7 @@ std::shared_ptr<ui::Footage> stillFootage(const std::vector<double>& times,
     moment->time = times[frame];
     moment->positions = network->positions;
     moment->velocities.assign(network->nodeCount(), sim::Vec3::Zero());
-    moment->fragmentOfNode.assign(network->nodeCount(), 0);
-    moment->brokenBonds.assign(network->bondCount(), 0);
-    moment->brokenCells.assign(network->cellCount(), 0);
+    moment->broken = sim::momentAtRest(*network).broken;
     std::vector<sim::BreakEvent> events(frame < breaks.size() ? breaks[frame] : 0);
     for (sim::BreakEvent& event : events) event.time = times[frame];
     footage->append(moment, ui::FrameNote{}, std::move(events));

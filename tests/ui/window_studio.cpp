@@ -127,7 +127,7 @@ void WindowStudio::load(const modeling::Scene& scene, const QString& name) {
   window_->viewport().setTool(nullptr);
   session_->stopRun();
   waitUntil("the run to stop", [this] { return !session_->hasRun(); });
-  while (!session_->takes().empty()) session_->removeTake(0);
+  while (!session_->takes().empty()) session_->takes().remove(0);
   session_->document().reset(
       scene, name.isEmpty() ? std::filesystem::path() : desk() / (name.toStdString() + ".scene.json"));
   window_->showViewport();

@@ -108,7 +108,7 @@ TEST_CASE("From any frame a take is continued with changed values, as a new take
   REQUIRE(becomesTrue([&] { return desk.session.takes().size() == 2; }));
   desk.finish();
   const auto& takes = desk.session.takes();
-  CHECK(desk.session.currentTake() == 1);
+  CHECK(desk.session.takes().current() == 1);
   REQUIRE(takes[1].continuedAt);
   CHECK(*takes[1].continuedAt == Approx(takes[0].footage->note(4).time));
   CHECK(takes[0].footage->frameCount() == 11);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "modeling/calibration/calibration.h"
+#include "ui/session/background_worker.h"
 
 namespace ui {
 
@@ -17,21 +17,25 @@ struct CalibrationProgress {
   std::optional<sim::Problem> problem;  ///< why it ended early
 };
 
-/// Drops samples of a material in a thread of its own. A cancelled one ends after the sample that is falling;
-/// nobody waits for it.
+/// Drops samples of a material in a thread of its own (BackgroundWorker). A cancelled one ends after the
+/// sample that is falling.
 class CalibrationRun {
  public:
   CalibrationRun(const modeling::Material& material, const modeling::CalibrationSettings& settings);
-  ~CalibrationRun();
-  CalibrationRun(const CalibrationRun&) = delete;
-  CalibrationRun& operator=(const CalibrationRun&) = delete;
 
   CalibrationProgress progress() const;
-  void cancel();
+  void cancel() { worker_.cancel(); }
 
  private:
-  struct State;
-  std::shared_ptr<State> state_;  ///< shared with the thread, which may outlive this
+  struct Request {
+    modeling::Material material;
+    modeling::CalibrationSettings settings;
+  };
+  struct Found {
+    std::vector<modeling::Trial> trials;
+    std::optional<double> threshold;
+  };
+  BackgroundWorker<Request, Found> worker_;
 };
 
 }  // namespace ui

@@ -52,9 +52,11 @@ std::optional<std::size_t> onlyGluingOf(const modeling::Scene& scene, const std:
 GlueEditing::GlueEditing(Session& session, QObject* parent)
     : QObject(parent),
       session_(session),
-      worker_([previewer = std::make_shared<GluePreviewer>()](const Request& request) {
-        return previewer->outcome(request.scene, request.gluing, request.folder);
-      }) {
+      worker_(
+          [previewer = std::make_shared<GluePreviewer>()](const Request& request, auto& job) -> sim::Status {
+            job.value = previewer->outcome(request.scene, request.gluing, request.folder);
+            return sim::Done{};
+          }) {
   timer_.setInterval(kPollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &GlueEditing::poll);
   connect(&session_.document(), &Document::sceneChanged, this, &GlueEditing::follow);
@@ -235,9 +237,10 @@ void GlueEditing::request() {
 
 void GlueEditing::poll() {
   const bool busy = worker_.isBusy();
-  const auto newest = worker_.newest();
+  const auto answer = worker_.newest();
+  const std::shared_ptr<const GlueOutcome> newest(answer, &answer->value);
   if (!busy) timer_.stop();
-  if (newest != outcome_ && newest && stage_ == Stage::adjust && newest->gluing.a == gluing_.a &&
+  if (newest != outcome_ && answer->ended && stage_ == Stage::adjust && newest->gluing.a == gluing_.a &&
       newest->gluing.b == gluing_.b)
     outcome_ = newest;
   emit changed();

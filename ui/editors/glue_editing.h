@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ui/editors/glue_preview.h"
-#include "ui/editors/latest_worker.h"
+#include "ui/session/background_worker.h"
 #include "ui/session/session.h"
 
 namespace ui {
@@ -79,7 +79,7 @@ class GlueEditing : public QObject {
   std::optional<std::size_t> existing_;
   std::shared_ptr<const GlueOutcome> outcome_;
   QTimer timer_;
-  LatestWorker<Request, GlueOutcome> worker_;
+  BackgroundWorker<Request, GlueOutcome> worker_;
 };
 
 }  // namespace ui

@@ -16,14 +16,15 @@ GluePairs::GluePairs(Session& session, Viewport& viewport)
     : QObject(&viewport),
       session_(session),
       viewport_(viewport),
-      worker_([previewer = std::make_shared<GluePreviewer>()](const Request& request) {
-        std::vector<GlueLink> links;
-        for (std::size_t gluing = 0; gluing < request.scene.glue.size(); ++gluing) {
-          const GlueOutcome outcome = previewer->outcome(request.scene, gluing, request.folder);
-          links.insert(links.end(), outcome.links.begin(), outcome.links.end());
-        }
-        return links;
-      }) {
+      worker_(
+          [previewer = std::make_shared<GluePreviewer>()](const Request& request, auto& job) -> sim::Status {
+            std::vector<GlueLink>& links = job.value;
+            for (std::size_t gluing = 0; gluing < request.scene.glue.size() && !job.cancelled(); ++gluing) {
+              const GlueOutcome outcome = previewer->outcome(request.scene, gluing, request.folder);
+              links.insert(links.end(), outcome.links.begin(), outcome.links.end());
+            }
+            return sim::Done{};
+          }) {
   timer_.setInterval(kPollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &GluePairs::poll);
   connect(&session_.document(), &Document::sceneChanged, this, &GluePairs::request);
@@ -52,7 +53,7 @@ void GluePairs::request() {
 void GluePairs::poll() {
   if (worker_.isBusy()) return;
   timer_.stop();
-  if (const auto newest = worker_.newest()) links_ = *newest;
+  links_ = worker_.newest()->value;
   viewport_.update();
 }
 

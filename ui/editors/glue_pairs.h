@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/editors/glue_preview.h"
-#include "ui/editors/latest_worker.h"
+#include "ui/session/background_worker.h"
 #include "ui/session/session.h"
 
 namespace ui {
@@ -41,7 +41,7 @@ class GluePairs : public QObject {
   Viewport& viewport_;
   std::vector<GlueLink> links_;
   QTimer timer_;
-  LatestWorker<Request, std::vector<GlueLink>> worker_;
+  BackgroundWorker<Request, std::vector<GlueLink>> worker_;
 };
 
 }  // namespace ui

@@ -1,12 +1,11 @@
 #include "ui/editors/glue_preview.h"
 
 #include <algorithm>
-#include <exception>
 #include <map>
-#include <new>
 #include <set>
 
 #include "modeling/glue/nearest.h"
+#include "ui/session/background_thread.h"
 
 namespace ui {
 namespace {
@@ -122,10 +121,8 @@ GlueOutcome GluePreviewer::outcome(const Scene& scene, std::size_t index,
     }
     outcome.report = glued->reports.back();
     outcome.links = linksOf(glueParts_, a, *glued);
-  } catch (const std::bad_alloc&) {
-    outcome.problem = sim::Problem{"", "there is not enough memory for these parts", "use larger cells"};
-  } catch (const std::exception& exception) {
-    outcome.problem = sim::Problem{"", std::string("the parts could not be glued: ") + exception.what(), ""};
+  } catch (...) {
+    outcome.problem = problemOfException();
   }
   return outcome;
 }

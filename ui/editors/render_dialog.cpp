@@ -54,7 +54,7 @@ PictureFrames framesOfMoment(const Shown& shown) {
 PictureFrames framesOfFootage(const std::shared_ptr<Footage>& footage) {
   PictureFrames frames;
   frames.network = footage->network();
-  frames.scene = footage->scene();
+  frames.scene = *footage->scene();
   frames.framesPerSecond = frames.scene.output.fps;
   frames.frame = [footage](std::size_t frame) { return footage->frame(frame); };
   return frames;
@@ -224,7 +224,7 @@ QWidget* RenderDialog::makeButtons() {
 
 std::optional<PictureJob::Order> RenderDialog::order() const {
   const Shown& shown = session_.shown();
-  const auto take = session_.currentTake();
+  const auto take = session_.takes().current();
   if (!shown.network || !shown.moment) return std::nullopt;
   PictureJob::Order order;
   if (what_->currentIndex() == kAllFrames && take) {

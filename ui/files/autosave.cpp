@@ -96,7 +96,7 @@ Autosave::Autosave(Session& session, fs::path folder)
   connect(&session_, &Session::runChanged, this, [this] {
     if (!session_.hasRun()) write();
   });
-  connect(&session_, &Session::takesChanged, this, &Autosave::write);
+  connect(&session_.takes(), &TakeList::changed, this, &Autosave::write);
 }
 
 Autosave::~Autosave() {

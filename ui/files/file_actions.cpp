@@ -54,15 +54,15 @@ FileActions::FileActions(Session& session, RecentFiles& recent, QWidget* window)
   saveAs_ =
       action("save", tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
   saveTake_ = action("film", tr("Save &Take As…"), {}, [this] {
-    const auto take = session_.currentTake();
+    const auto take = session_.takes().current();
     if (!take) return;
     const QString name = QFileDialog::getSaveFileName(window_, tr("Save the take"), {}, tr("Takes (*.take)"));
     if (name.isEmpty()) return;
-    if (const sim::Status saved = session_.saveTake(*take, name.toStdString()); !saved)
+    if (const sim::Status saved = session_.takes().save(*take, name.toStdString()); !saved)
       session_.report(saved.problem());
   });
-  const auto judge = [this] { saveTake_->setEnabled(session_.currentTake() && !session_.hasRun()); };
-  connect(&session_, &Session::takesChanged, this, judge);
+  const auto judge = [this] { saveTake_->setEnabled(session_.takes().current() && !session_.hasRun()); };
+  connect(&session_.takes(), &TakeList::changed, this, judge);
   connect(&session_, &Session::runChanged, this, judge);
   judge();
 }
@@ -92,7 +92,7 @@ void FileActions::showRecent(QMenu& menu) {
 bool FileActions::mayLeave() {
   const Document& document = session_.document();
   // Takes of a scene that has a file are kept with it.
-  const bool takes = document.file().empty() && session_.hasOwnTakes();
+  const bool takes = document.file().empty() && session_.takes().hasOwn();
   if (!document.isModified() && !takes) return true;
   const QString words = takes ? tr("Save “%1” and its takes?") : tr("Save the changes to “%1”?");
   QMessageBox question(QMessageBox::Question, tr("Unsaved changes"), words.arg(document.title()),
@@ -177,7 +177,7 @@ void FileActions::openTake(const fs::path& file) {
     }
     session_.document().reset(std::move(scene).value(), {}, file.parent_path());
   }
-  if (const sim::Status opened = session_.openTake(file); !opened) {
+  if (const sim::Status opened = session_.takes().open(file); !opened) {
     session_.report(opened.problem());
     return;
   }

@@ -53,11 +53,13 @@ KeptTakes::KeptTakes(Session& session, fs::path root, QObject* parent)
     waiting_.clear();
   });
   connect(&session_.document(), &Document::statusChanged, this, &KeptTakes::follow);
-  connect(&session_, &Session::takesChanged, this, &KeptTakes::keep);
+  connect(&session_.takes(), &TakeList::changed, this, &KeptTakes::keep);
   connect(&session_, &Session::runChanged, this, [this] {
     if (!session_.hasRun()) keep();
   });
-  connect(&session_, &Session::takeRemoved, this, &KeptTakes::forget);
+  connect(&session_.takes(), &TakeList::removing, this, [this](const Take& take) {
+    if (take.own) forget(take.footage->file());
+  });
 }
 
 fs::path KeptTakes::folderOf(const fs::path& sceneFile) const {
@@ -105,7 +107,7 @@ void KeptTakes::listNext() {
   const Entry entry = std::move(waiting_.front());
   waiting_.pop_front();
   if (!isListed(entry.file)) {
-    const sim::Status listed = session_.listTake(
+    const sim::Status listed = session_.takes().list(
         entry.file, entry.label, QImage(QString::fromStdString(pictureOf(entry.file).string())));
     if (!listed) session_.report(listed.problem());
   }
@@ -118,12 +120,12 @@ void KeptTakes::listNext() {
 
 /// What was simulated already, to its end, need not be simulated again.
 void KeptTakes::chooseNewest() {
-  if (session_.currentTake() || session_.hasRun()) return;
+  if (session_.takes().current() || session_.hasRun()) return;
   for (std::size_t take = session_.takes().size(); take-- > 0;) {
     const Take& one = session_.takes()[take];
-    const double wanted = one.footage->scene().output.duration;
+    const double wanted = one.footage->scene()->output.duration;
     if (one.stale || one.footage->duration() < kWhole * wanted) continue;
-    session_.selectTake(take);
+    session_.takes().select(take);
     return;
   }
 }

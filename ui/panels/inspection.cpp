@@ -67,9 +67,9 @@ Inspection inspectBond(sim::BondIndex bond, const Shown& shown, const std::optio
   const auto threshold = static_cast<double>(network.thresholds[bond]);
   Inspection found;
   found.title = tr("Bond %1").arg(bond);
-  found.fragment = moment.fragmentOfNode[a];
+  found.fragment = moment.broken->fragmentOfNode[a];
   found.facts.push_back({tr("Threshold"), std::isfinite(threshold) ? percent(threshold) : tr("unbreakable")});
-  if (moment.brokenBonds[bond] != 0) {
+  if (moment.broken->hasLostBond(bond)) {
     addBreak(found, event);
   } else {
     found.facts.push_back({tr("Strain"), percent(strain)});
@@ -84,16 +84,17 @@ Inspection inspectBond(sim::BondIndex bond, const Shown& shown, const std::optio
 
 Inspection inspectFragment(sim::FragmentId id, const sim::Snapshot& moment) {
   Inspection found;
-  const auto place = std::find_if(moment.fragments.begin(), moment.fragments.end(),
-                                  [id](const sim::Fragment& fragment) { return fragment.id == id; });
+  const std::vector<sim::Fragment>& fragments = moment.broken->fragments;
+  const auto place = std::ranges::find(fragments, id, &sim::Fragment::id);
   found.title = tr("Fragment %1").arg(id);
   found.fragment = id;
-  if (place == moment.fragments.end()) {
+  if (place == fragments.end()) {
     found.facts.push_back({tr("State"), tr("not there at this moment")});
     return found;
   }
   const sim::Fragment& fragment = *place;
-  found.facts.push_back({tr("State"), stateText(fragment.state)});
+  const sim::MovingFragment& moving = moment.fragments[static_cast<std::size_t>(place - fragments.begin())];
+  found.facts.push_back({tr("State"), stateText(moving.state)});
   found.facts.push_back({tr("Broke off"), fragment.parent == sim::kNone
                                               ? tr("there from the start")
                                               : tr("fragment %1").arg(fragment.parent)});
@@ -101,9 +102,9 @@ Inspection inspectFragment(sim::FragmentId id, const sim::Snapshot& moment) {
     found.facts.push_back({tr("Born at"), QStringLiteral("%1 s").arg(fragment.born, 0, 'f', 5)});
   found.facts.push_back({tr("Nodes"), QString::number(fragment.nodeCount)});
   found.facts.push_back({tr("Mass"), number(fragment.mass, "g")});
-  found.facts.push_back({tr("Speed"), number(fragment.velocity.norm(), "cm/s")});
-  found.facts.push_back({tr("Velocity"), vectorText(fragment.velocity, "cm/s")});
-  found.facts.push_back({tr("Centre"), vectorText(fragment.centre, "cm")});
+  found.facts.push_back({tr("Speed"), number(moving.velocity.norm(), "cm/s")});
+  found.facts.push_back({tr("Velocity"), vectorText(moving.velocity, "cm/s")});
+  found.facts.push_back({tr("Centre"), vectorText(moving.centre, "cm")});
   return found;
 }
 
@@ -112,7 +113,7 @@ Inspection inspectNode(sim::NodeIndex node, const Shown& shown) {
   const sim::Snapshot& moment = *shown.moment;
   Inspection found;
   found.title = tr("Node %1").arg(node);
-  found.fragment = moment.fragmentOfNode[node];
+  found.fragment = moment.broken->fragmentOfNode[node];
   const double mass = network.masses[node];
   found.facts.push_back({tr("Mass"), std::isfinite(mass) ? number(mass, "g") : tr("held")});
   found.facts.push_back({tr("Position"), vectorText(moment.positions[node], "cm")});
@@ -126,8 +127,8 @@ Inspection inspectCell(sim::CellIndex cell, const Shown& shown) {
   const sim::CellCorners& corners = shown.network->cells[cell];
   Inspection found;
   found.title = tr("Cell %1").arg(cell);
-  found.fragment = shown.moment->fragmentOfNode[corners[0]];
-  found.facts.push_back({tr("State"), shown.moment->brokenCells[cell] != 0 ? tr("broken") : tr("whole")});
+  found.fragment = shown.moment->broken->fragmentOfNode[corners[0]];
+  found.facts.push_back({tr("State"), shown.moment->broken->hasLostCell(cell) ? tr("broken") : tr("whole")});
   found.facts.push_back({tr("Fragment"), QString::number(*found.fragment)});
   found.facts.push_back(
       {tr("Material"), materialOf(*shown.network, shown.network->nodeMaterials[corners[0]])});
@@ -137,8 +138,8 @@ Inspection inspectCell(sim::CellIndex cell, const Shown& shown) {
 }  // namespace
 
 bool isBroken(const Pick& pick, const Shown& shown) {
-  return pick.kind == Pick::Kind::bond && shown.moment && pick.index < shown.moment->brokenBonds.size() &&
-         shown.moment->brokenBonds[pick.index] != 0;
+  return pick.kind == Pick::Kind::bond && shown.moment && pick.index < shown.moment->broken->bonds.size() &&
+         shown.moment->broken->hasLostBond(pick.index);
 }
 
 Inspection inspect(const Pick& pick, const Shown& shown, const std::optional<sim::BreakEvent>& event) {
@@ -156,8 +157,9 @@ Inspection inspect(const Pick& pick, const Shown& shown, const std::optional<sim
       return inspectFragment(pick.index, moment);
     case Pick::Kind::part:
       // A part of a running simulation is seen as what it has become.
-      return pick.node < network.nodeCount() ? inspectFragment(moment.fragmentOfNode[pick.node], moment)
-                                             : Inspection();
+      return pick.node < network.nodeCount()
+                 ? inspectFragment(moment.broken->fragmentOfNode[pick.node], moment)
+                 : Inspection();
     case Pick::Kind::collider:
     case Pick::Kind::nothing:
       break;

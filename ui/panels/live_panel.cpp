@@ -214,7 +214,7 @@ void LivePanel::sendPace() {
 const modeling::Scene& LivePanel::presentScene() const {
   const RunView& run = *session_.run();
   if (!session_.hasRun() || !run.footage) return session_.document().scene();
-  scene_ = run.footage->scene();
+  scene_ = *run.footage->scene();
   return scene_;
 }
 

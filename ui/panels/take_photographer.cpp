@@ -40,10 +40,10 @@ void TakePhotographer::look() {
 
 void TakePhotographer::shoot() {
   if (!viewport_.isVisible() || !viewport_.isValid()) return;
-  const std::vector<Take>& takes = session_.takes();
+  const TakeList& takes = session_.takes();
   for (std::size_t take = 0; take < takes.size(); ++take) {
     if (takes[take].footage == session_.run()->footage)
-      session_.setThumbnail(take, cropped(viewport_.grabFramebuffer()));
+      session_.takes().setThumbnail(take, cropped(viewport_.grabFramebuffer()));
   }
 }
 

@@ -38,7 +38,7 @@ QString originOf(const Take& take) {
 }  // namespace
 
 TakesModel::TakesModel(Session& session, QObject* parent) : QAbstractListModel(parent), session_(session) {
-  connect(&session_, &Session::takesChanged, this, &TakesModel::follow);
+  connect(&session_.takes(), &TakeList::changed, this, &TakesModel::follow);
   connect(&session_, &Session::runChanged, this, &TakesModel::followRun);
   follow();
 }
@@ -80,7 +80,7 @@ QString TakesModel::tipOf(const Take& take) const {
   if (take.continuedAt) lines << tr("Continued at %1 s").arg(*take.continuedAt, 0, 'f', 4);
   if (!take.note.isEmpty()) lines << take.note;
   if (take.stale) {
-    const QStringList differences = differencesOf(take.footage->scene(), session_.document().scene());
+    const QStringList differences = differencesOf(*take.footage->scene(), session_.document().scene());
     lines << tr("The scene was changed since: %1").arg(differences.join(QStringLiteral(", ")));
   }
   lines << QString::fromStdString(take.footage->file().string());
@@ -90,7 +90,7 @@ QString TakesModel::tipOf(const Take& take) const {
 bool TakesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const QString name = value.toString().trimmed();
   if (role != Qt::EditRole || name.isEmpty()) return false;
-  session_.renameTake(static_cast<std::size_t>(index.row()), name);
+  session_.takes().rename(static_cast<std::size_t>(index.row()), name);
   return true;
 }
 
@@ -133,7 +133,7 @@ void TakeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const Take& take = session_.takes()[row];
   const Colours& colours = Theme::instance().colours();
   painter->save();
-  const bool current = session_.currentTake() == row;
+  const bool current = session_.takes().current() == row;
   if (current) {
     painter->fillRect(option.rect, mixed(colours.panel, colours.accent, 0.22));
     painter->fillRect(QRect(option.rect.left(), option.rect.top(), 3, option.rect.height()), colours.accent);

@@ -43,11 +43,12 @@ TakesPanel::TakesPanel(Session& session, PlayActions& actions, QWidget* parent)
   column->addWidget(stack_, 1);
   makeButtons();
   column->addWidget(bar_);
-  connect(list_, &QListView::clicked, this,
-          [this](const QModelIndex& index) { session_.selectTake(static_cast<std::size_t>(index.row())); });
+  connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) {
+    session_.takes().select(static_cast<std::size_t>(index.row()));
+  });
   connect(list_, &QListView::activated, this, &TakesPanel::play);
   connect(list_, &QListView::customContextMenuRequested, this, &TakesPanel::showMenu);
-  connect(&session_, &Session::takesChanged, this, &TakesPanel::showTakes);
+  connect(&session_.takes(), &TakeList::changed, this, &TakesPanel::showTakes);
   connect(model_, &QAbstractItemModel::modelReset, this, &TakesPanel::selectInList);
   showTakes();
 }
@@ -80,7 +81,7 @@ void TakesPanel::makeButtons() {
   connect(note_, &QLineEdit::editingFinished, this, [this] {
     const std::size_t take = selected();
     if (take < session_.takes().size() && session_.takes()[take].note != note_->text())
-      session_.noteTake(take, note_->text());
+      session_.takes().setNote(take, note_->text());
   });
   column->addWidget(note_);
   auto* row = new QHBoxLayout;
@@ -124,7 +125,7 @@ bool TakesPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 std::size_t TakesPanel::selected() const {
-  return session_.currentTake().value_or(session_.takes().size());
+  return session_.takes().current().value_or(session_.takes().size());
 }
 
 void TakesPanel::showTakes() {
@@ -145,7 +146,7 @@ void TakesPanel::selectInList() {
 
 void TakesPanel::play() {
   const QModelIndex index = list_->currentIndex();
-  if (index.isValid()) session_.selectTake(static_cast<std::size_t>(index.row()));
+  if (index.isValid()) session_.takes().select(static_cast<std::size_t>(index.row()));
   session_.playback().play(1);
 }
 
@@ -159,7 +160,7 @@ void TakesPanel::remove() {
   QPushButton* yes = box.addButton(tr("Delete"), QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
-  if (box.clickedButton() == yes) session_.removeTake(take);
+  if (box.clickedButton() == yes) session_.takes().remove(take);
 }
 
 void TakesPanel::saveAs() {
@@ -167,20 +168,20 @@ void TakesPanel::saveAs() {
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save Take"), session_.takes()[take].name + ".take", tr("Takes (*.take)"));
   if (file.isEmpty()) return;
-  if (const sim::Status saved = session_.saveTake(take, file.toStdString()); !saved)
+  if (const sim::Status saved = session_.takes().save(take, file.toStdString()); !saved)
     session_.report(saved.problem());
 }
 
 void TakesPanel::open() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open Take"), {}, tr("Takes (*.take)"));
   if (file.isEmpty()) return;
-  if (const sim::Status opened = session_.openTake(file.toStdString()); !opened)
+  if (const sim::Status opened = session_.takes().open(file.toStdString()); !opened)
     session_.report(opened.problem());
 }
 
 void TakesPanel::showMenu(const QPoint& at) {
   const QModelIndex index = list_->indexAt(at);
-  if (index.isValid()) session_.selectTake(static_cast<std::size_t>(index.row()));
+  if (index.isValid()) session_.takes().select(static_cast<std::size_t>(index.row()));
   QMenu menu(this);
   if (index.isValid()) {
     menu.addAction(play_);

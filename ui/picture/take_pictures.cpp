@@ -56,7 +56,7 @@ Box boxOfMost(const sim::Snapshot& moment) {
   };
   std::map<sim::FragmentId, Piece> pieces;
   for (std::size_t node = 0; node < moment.positions.size(); ++node) {
-    Piece& piece = pieces[moment.fragmentOfNode[node]];
+    Piece& piece = pieces[moment.broken->fragmentOfNode[node]];
     piece.box.extend(moment.positions[node]);
     ++piece.nodeCount;
   }
@@ -121,7 +121,8 @@ sim::Result<PictureScene> TakePictures::sceneOf(std::size_t frame) {
   picture.style = frames_.scene.view.picture;
   picture.environment = environment_;
   const bool level = picture.style.surface == modeling::PictureSurface::level;
-  const sim::SurfaceTopology topology = level ? sim::SurfaceTopology{} : surfaceBuilder_.topology(moment);
+  const sim::SurfaceTopology none;
+  const sim::SurfaceTopology& topology = level ? none : surfaceBuilder_.topology(moment.broken);
   picture.surface = level ? sim::levelSurfaceOf(*frames_.network, moment, kLevelGrid)
                           : sim::placeSurface(topology, moment.positions);
   picture.looks = modeling::looksOf(frames_.scene, *frames_.network);

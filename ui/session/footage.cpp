@@ -1,6 +1,7 @@
 #include "ui/session/footage.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "modeling/exchange/take_scene.h"
 
@@ -15,16 +16,10 @@ std::size_t bytesOf(const sim::Network& network) {
          network.cellCount();
 }
 
-std::uint32_t countPieces(const sim::Snapshot& moment) {
+std::uint32_t countPieces(const sim::Broken& broken) {
   return static_cast<std::uint32_t>(
-      std::count_if(moment.fragments.begin(), moment.fragments.end(),
+      std::count_if(broken.fragments.begin(), broken.fragments.end(),
                     [](const sim::Fragment& fragment) { return fragment.nodeCount > 1; }));
-}
-
-std::uint32_t countBroken(const sim::Snapshot& moment) {
-  return static_cast<std::uint32_t>(
-      moment.brokenBonds.size() -
-      static_cast<std::size_t>(std::count(moment.brokenBonds.begin(), moment.brokenBonds.end(), 0)));
 }
 
 }  // namespace
@@ -33,7 +28,7 @@ Footage::Footage(std::shared_ptr<const sim::Network> network, modeling::Scene sc
                  std::filesystem::path file)
     : network_(std::move(network)),
       file_(std::move(file)),
-      scene_(std::move(scene)),
+      scene_(std::make_shared<const modeling::Scene>(std::move(scene))),
       frameBytes_(bytesOf(*network_)) {}
 
 Footage::~Footage() {
@@ -59,12 +54,12 @@ sim::Result<std::shared_ptr<Footage>> Footage::open(const std::filesystem::path&
   return footage;
 }
 
-modeling::Scene Footage::scene() const {
+std::shared_ptr<const modeling::Scene> Footage::scene() const {
   const std::lock_guard lock(mutex_);
   return scene_;
 }
 
-void Footage::setScene(modeling::Scene scene) {
+void Footage::setScene(std::shared_ptr<const modeling::Scene> scene) {
   const std::lock_guard lock(mutex_);
   scene_ = std::move(scene);
 }
@@ -154,9 +149,9 @@ void Footage::append(sim::SnapshotPointer frame, const FrameNote& note, std::vec
   entry.note = note;
   entry.note.time = frame->time;
   entry.note.ledger = frame->ledger;
-  entry.note.fragments = countPieces(*frame);
+  entry.note.fragments = countPieces(*frame->broken);
   entry.note.breaks = static_cast<std::uint32_t>(events.size());
-  entry.note.brokenBonds = countBroken(*frame);
+  entry.note.brokenBonds = static_cast<std::uint32_t>(frame->broken->lostBonds());
   entry.noted = true;
   ++notedCount_;
   entry.held = std::move(frame);
@@ -191,8 +186,8 @@ bool Footage::readNextNote() {
   FrameNote note;
   note.time = (*moment)->time;
   note.ledger = (*moment)->ledger;
-  note.fragments = countPieces(**moment);
-  note.brokenBonds = countBroken(**moment);
+  note.fragments = countPieces(*(*moment)->broken);
+  note.brokenBonds = static_cast<std::uint32_t>((*moment)->broken->lostBonds());
   if (events) note.breaks = static_cast<std::uint32_t>(events->size());
   const std::lock_guard lock(mutex_);
   entries_[index].note = note;

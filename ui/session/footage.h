@@ -1,12 +1,9 @@
 #pragma once
 
-#include <atomic>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "modeling/scene/scene.h"
@@ -22,7 +19,7 @@ struct FrameNote {
   std::uint32_t fragments = 0;    ///< of more than one node
   double realTimeFactor = 0.0;    ///< simulated seconds a second of the clock, while it was made; 0: unknown
   std::uint64_t bondsEvaluated = 0;  ///< since the frame before; 0: unknown
-  std::uint64_t bondsSkipped = 0;    ///< likewise
+  std::uint64_t bondsSkipped = 0;    ///< since the frame before; 0: unknown
   sim::LedgerRow ledger;
 };
 
@@ -37,37 +34,38 @@ class Footage {
   /// Frames in memory, all takes together, take at most about this much.
   static constexpr std::size_t kMemoryBudget = std::size_t{1} << 30;
 
-  /// Of a run that begins. `file` is where its frames are being written; may not exist yet.
+  /// The take of a run that begins. Its frames are being written to `file`, which may not exist yet.
   Footage(std::shared_ptr<const sim::Network> network, modeling::Scene scene, std::filesystem::path file);
   ~Footage();
   Footage(const Footage&) = delete;
   Footage& operator=(const Footage&) = delete;
 
-  /// Of a file. Its notes are gathered by readNotes(), until when they have times only.
+  /// The take in a file. Its notes have times only, until readNextNote() has gathered them. A Problem where the
+  /// file is no take.
   static sim::Result<std::shared_ptr<Footage>> open(const std::filesystem::path& file);
 
   const std::shared_ptr<const sim::Network>& network() const { return network_; }
   const std::filesystem::path& file() const { return file_; }
-  /// As it was run: what was performed while it ran is in it.
-  modeling::Scene scene() const;
-  void setScene(modeling::Scene scene);
+  /// The scene as it was run, with what was performed while it ran; never null.
+  std::shared_ptr<const modeling::Scene> scene() const;
+  void setScene(std::shared_ptr<const modeling::Scene> scene);
 
   std::size_t frameCount() const;
   double duration() const;  ///< s: time of the last frame; 0 where there is none
   FrameNote note(std::size_t frame) const;
   std::vector<FrameNote> notes(std::size_t from = 0) const;
-  /// Of how many frames the notes are complete.
+  /// How many frames have complete notes.
   std::size_t notedCount() const;
   /// The newest frame at or before a time; 0 where all are later.
   std::size_t frameAt(double time) const;
   /// s: when the first bond broke; nothing where none did, or it is not known yet.
   std::optional<double> firstBreak() const;
 
-  /// In memory, or null.
+  /// The frame, where it is in memory; else null.
   sim::SnapshotPointer held(std::size_t frame) const;
-  /// Reads it from the file where it is not held, which may take long. A Problem where it cannot be read.
+  /// The frame, read from the file where it is not held, which may take long. A Problem where it cannot be read.
   sim::Result<sim::SnapshotPointer> frame(std::size_t frame);
-  /// Of all frames so far, in order.
+  /// The breaks in all frames so far, in order.
   sim::Result<std::vector<sim::BreakEvent>> events();
 
   void append(sim::SnapshotPointer frame, const FrameNote& note, std::vector<sim::BreakEvent> events);
@@ -85,8 +83,8 @@ class Footage {
 
   std::shared_ptr<const sim::Network> network_;
   const std::filesystem::path file_;
-  mutable std::mutex mutex_;  ///< of all below; held for moments only
-  modeling::Scene scene_;
+  mutable std::mutex mutex_;                      ///< of all below; held for moments only
+  std::shared_ptr<const modeling::Scene> scene_;  ///< never null
   std::vector<Entry> entries_;
   std::vector<sim::BreakEvent> events_;  ///< of frames that were appended here
   std::size_t nextHeld_ = 0;             ///< the oldest frame that may be held

@@ -1,71 +1,42 @@
 #include "ui/session/frame_loader.h"
 
-#include <exception>
-
 namespace ui {
-namespace {
 
-void load(FrameLoader::Loaded& wanted) {
-  try {
-    sim::Result<sim::SnapshotPointer> moment = wanted.footage->frame(wanted.frame);
-    if (moment) {
-      wanted.moment = std::move(moment).value();
-    } else {
-      wanted.problem = moment.problem();
-    }
-  } catch (const std::exception& exception) {
-    wanted.problem = sim::Problem{wanted.footage->file().string(),
-                                  std::string("the frame could not be read: ") + exception.what(), ""};
-  }
-}
-
-}  // namespace
-
-FrameLoader::FrameLoader() : runner_([this] { main(); }) {}
-
-FrameLoader::~FrameLoader() {
-  const std::lock_guard lock(mutex_);
-  ending_ = true;
-  changed_.notify_all();
-}
+FrameLoader::FrameLoader()
+    : frames_([](const Request& request, auto& job) -> sim::Status {
+        job.value.footage = request.footage;
+        job.value.frame = request.frame;
+        sim::Result<sim::SnapshotPointer> moment = request.footage->frame(request.frame);
+        if (!moment) return moment.problem();
+        job.value.moment = std::move(moment).value();
+        return sim::Done{};
+      }),
+      notes_([](const std::shared_ptr<Footage>& footage, auto& job) -> sim::Status {
+        while (!job.cancelled() && footage->readNextNote()) continue;
+        return sim::Done{};
+      }) {}
 
 void FrameLoader::request(std::shared_ptr<Footage> footage, std::size_t frame) {
-  const std::lock_guard lock(mutex_);
-  wanted_ = Loaded{std::move(footage), frame, nullptr, std::nullopt};
-  changed_.notify_all();
+  frames_.request({std::move(footage), frame});
 }
 
 std::optional<FrameLoader::Loaded> FrameLoader::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(loaded_, std::nullopt);
+  const auto answer = frames_.newest();
+  if (!answer->ended || answer->request == taken_) return std::nullopt;
+  taken_ = answer->request;
+  if (!answer->value.moment && !answer->problem) return std::nullopt;  // a newer one is under way
+  Loaded loaded = answer->value;
+  loaded.problem = answer->problem;
+  return loaded;
 }
 
 void FrameLoader::gatherNotes(std::shared_ptr<Footage> footage) {
-  const std::lock_guard lock(mutex_);
-  unnoted_ = std::move(footage);
-  changed_.notify_all();
+  notes_.request(std::move(footage));
 }
 
-void FrameLoader::main() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    changed_.wait(lock, [&] { return ending_ || wanted_ || unnoted_; });
-    if (ending_) return;
-    if (wanted_) {
-      Loaded next = std::move(*wanted_);
-      wanted_.reset();
-      lock.unlock();
-      load(next);
-      lock.lock();
-      loaded_ = std::move(next);
-      continue;
-    }
-    const std::shared_ptr<Footage> footage = unnoted_;
-    lock.unlock();
-    const bool more = footage->readNextNote();
-    lock.lock();
-    if (!more && unnoted_ == footage) unnoted_.reset();
-  }
+void FrameLoader::requestStop() {
+  frames_.requestStop();
+  notes_.requestStop();
 }
 
 }  // namespace ui

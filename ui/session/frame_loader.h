@@ -1,17 +1,15 @@
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 
+#include "ui/session/background_worker.h"
 #include "ui/session/footage.h"
 
 namespace ui {
 
-/// The thread that fetches frames which are not in memory, and in idle moments what the timeline shows of
-/// takes that were opened from files. Of frames asked for faster than they can be read the newest counts.
+/// Fetches frames which are not in memory, and what the timeline shows of takes that were opened from files,
+/// in threads of its own (BackgroundWorker).
 class FrameLoader {
  public:
   struct Loaded {
@@ -22,26 +20,24 @@ class FrameLoader {
   };
 
   FrameLoader();
-  ~FrameLoader();
-  FrameLoader(const FrameLoader&) = delete;
-  FrameLoader& operator=(const FrameLoader&) = delete;
 
   void request(std::shared_ptr<Footage> footage, std::size_t frame);
   /// The newest that came, once.
   std::optional<Loaded> take();
-  /// Reads the notes of an opened take, one after the other, when nothing else is to be done.
+  /// Reads the notes of an opened take, one after the other; leaves off those of the take before.
   void gatherNotes(std::shared_ptr<Footage> footage);
+  void requestStop();
 
  private:
-  void main();
+  struct Request {
+    std::shared_ptr<Footage> footage;
+    std::size_t frame = 0;
+  };
+  struct Nothing {};
 
-  std::mutex mutex_;  ///< of all below
-  std::condition_variable changed_;
-  std::optional<Loaded> wanted_;
-  std::optional<Loaded> loaded_;
-  std::shared_ptr<Footage> unnoted_;
-  bool ending_ = false;
-  std::jthread runner_;  ///< last: it uses the others
+  BackgroundWorker<Request, Loaded> frames_;
+  BackgroundWorker<std::shared_ptr<Footage>, Nothing> notes_;
+  std::uint64_t taken_ = 0;  ///< number of the request whose answer was taken last
 };
 
 }  // namespace ui

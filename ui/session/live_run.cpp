@@ -1,200 +1,94 @@
 #include "ui/session/live_run.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "modeling/scene/build.h"
-#include "modeling/scene/scene_file.h"
-#include "modeling/text/text_file.h"
 #include "sim/take/frame_times.h"
 
 namespace ui {
 namespace {
 
-using namespace std::chrono_literals;
-using Seconds = std::chrono::duration<double>;
-
-/// An order waits no longer than this and one step.
+/// s of the clock: an order waits no longer than this and one step.
 constexpr double kSliceSeconds = 4e-3;
-/// Views are made for a screen: no more often than it is drawn, and taking no more than a tenth of the time.
-constexpr auto kViewInterval = 15ms;
-constexpr int kViewShare = 9;
-/// Of the past in measured rates, at each measurement.
-constexpr double kInertia = 0.8;
-
-sim::TakeHeader headerOf(const modeling::Scene& scene) {
-  sim::TakeHeader header;
-  header.scene = modeling::writeScene(modeling::withoutPresets(scene));
-  header.sceneHash = modeling::textHash(header.scene);
-  header.framesPerSecond = scene.output.fps;
-  header.seed = scene.solver.seed;
-  return header;
-}
 
 }  // namespace
 
 LiveRun::LiveRun(std::uint64_t number, RunPlan plan, const Pace& pace)
-    : number_(number), plan_(std::move(plan)), pace_(pace), scene_(plan_.scene) {}
+    : number_(number), plan_(std::move(plan)), pace_(pace) {}
 
 LiveRun::~LiveRun() = default;
 
 void LiveRun::prepare(const Interrupt& cancelled) {
-  const sim::Status status = plan_.continuation ? startContinued(cancelled) : startFresh();
-  if (!status) {
-    fail(status.problem());
+  if (const sim::Status started = start(cancelled); !started) {
+    fail(started.problem());
     return;
   }
   phase_ = RunPhase::running;
-  restartClock();
-  changed_ = true;
+  restartClocks();
+  telling_.tellAtOnce();
 }
 
-sim::Status LiveRun::startFresh() {
-  std::shared_ptr<const modeling::BuiltScene> built = plan_.built;
-  if (!built) {
-    sim::Result<modeling::BuiltScene> made = modeling::build(plan_.scene, plan_.folder);
-    if (!made) return made.problem();
-    built = std::make_shared<const modeling::BuiltScene>(std::move(made).value());
-  }
-  notes_ = built->warnings;
-  plan_.scene = scene_ = built->scene;
-  modeling::Conditions conditions = built->conditions;
-  conditions.settings.threads = plan_.threads;
-  auto simulation = sim::Simulation::create(built->network, std::move(conditions.environment),
-                                            std::move(conditions.tracks), conditions.settings);
-  if (!simulation) return simulation.problem();
-  simulation_ = std::move(simulation).value();
-  // The footage shares the built scene's network.
-  footage_ = std::make_shared<Footage>(std::shared_ptr<const sim::Network>(built, &built->network),
-                                       plan_.scene, plan_.take);
-  plan_.built.reset();
-  if (const sim::Status started = startTake(); !started) return started;
-  return recordFrame();
-}
-
-sim::Status LiveRun::startTake() {
-  auto take = sim::TakeWriter::create(plan_.take, headerOf(plan_.scene), simulation_->network());
-  if (!take) return take.problem();
-  take_ = std::move(take).value();
-  framesSinceCheckpoint_ = sim::kFramesPerCheckpoint;
+sim::Status LiveRun::start(const Interrupt& cancelled) {
+  sim::Result<StartedRun> started = startRun(plan_, cancelled);
+  plan_ = {};
+  if (!started) return started.problem();
+  run_ = std::move(started).value();
+  performance_.emplace(run_.scene);
+  speed_.setWork(run_.simulation->work());
+  if (!run_.recording->isRecorded()) return recordFrame();
+  newest_ = run_.footage->held(run_.footage->frameCount() - 1);
   return sim::Done{};
 }
 
-std::optional<LiveRun::Clock::time_point> LiveRun::due() const {
+std::optional<Clock::time_point> LiveRun::due() const {
   if (!isRunning()) return std::nullopt;
-  const Clock::time_point now = Clock::now();
-  const double ahead = secondsAhead();
-  return ahead > 0.0 ? now + std::chrono::duration_cast<Clock::duration>(Seconds(std::min(ahead, 1.0))) : now;
+  return pace_.due(time());
 }
 
-/// How far the simulation is ahead of the clock it keeps to, in seconds of the clock.
-double LiveRun::secondsAhead() const {
-  if (!pace_.timeScale) return 0.0;
-  const double elapsed = Seconds(Clock::now() - paceStart_).count();
-  return (simulation_->time() - paceTime_) / *pace_.timeScale - elapsed;
-}
-
-void LiveRun::restartPace() {
-  paceStart_ = Clock::now();
-  paceTime_ = simulation_ ? simulation_->time() : 0.0;
-}
-
-void LiveRun::restartClock() {
-  restartPace();
-  frameStart_ = paceStart_;
-  frameTime_ = paceTime_;
-}
-
-bool LiveRun::ended() const {
-  return sim::hasReached(simulation_->time(), simulation_->step(), plan_.scene.output.duration);
+void LiveRun::restartClocks() {
+  pace_.restart(time());
+  speed_.restart(time());
 }
 
 void LiveRun::advance(const Interrupt& interrupt) {
-  if (ended()) {
-    finish("done");
-    return;
-  }
-  if (secondsAhead() > 0.0) return;
-  const double until = plan_.scene.output.duration;
-  const double frame =
-      std::min(sim::nextFrameTime(simulation_->time(), simulation_->step(), plan_.scene.output.fps), until);
+  if (run_.recording->hasEnded()) return finish("done");
+  if (pace_.secondsAhead(time()) > 0.0) return;
+  const double frame = run_.recording->nextFrameTime();
   const Clock::time_point start = Clock::now();
-  while (!interrupt() && Seconds(Clock::now() - start).count() < kSliceSeconds) {
+  while (!interrupt() && std::chrono::duration<double>(Clock::now() - start).count() < kSliceSeconds) {
     if (!stepTowards(frame)) return;
-    if (!sim::hasReached(simulation_->time(), simulation_->step(), frame)) continue;
-    if (const sim::Status recorded = recordFrame(); !recorded) pauseBecause(recorded.problem());
-    if (ended()) finish("done");
+    if (!sim::hasReached(time(), run_.simulation->step(), frame)) continue;
+    if (const sim::Status recorded = recordFrame(); !recorded) return pauseBecause(recorded.problem());
+    if (run_.recording->hasEnded()) finish("done");
     return;
   }
-  // A computer too slow for the pace does not try to catch up later.
-  if (secondsAhead() < -0.1) restartPace();
+  pace_.forgiveDelay(time());
 }
 
-/// A few steps at a time, so that the clock is not asked after each of many short ones.
+/// False when the simulation failed.
 bool LiveRun::stepTowards(double frame) {
-  const std::uint64_t before = simulation_->stepCount();
-  const Clock::time_point start = Clock::now();
-  const double steps = std::clamp(std::floor(0.25 * kSliceSeconds / secondsPerStep_), 1.0, 1000.0);
-  const double target = std::min(frame, simulation_->time() + (steps - 0.5) * simulation_->step());
-  const sim::Status status = simulation_->advanceTo(target);
-  const auto made = static_cast<double>(std::max<std::uint64_t>(simulation_->stepCount() - before, 1));
-  const double seconds = Seconds(Clock::now() - start).count() / made;
-  secondsPerStep_ = std::max(kInertia * secondsPerStep_ + (1.0 - kInertia) * seconds, 1e-7);
+  const sim::Status status = steps_.advance(*run_.simulation, frame, 0.25 * kSliceSeconds);
   if (status) return true;
+  // What it looks like when it failed is worth seeing, and no more than that.
   static_cast<void>(recordFrame());
   fail(status.problem());
   return false;
 }
 
 sim::Status LiveRun::recordFrame() {
-  std::vector<sim::BreakEvent> breaks = simulation_->drainBreakEvents();
-  unrecorded_.insert(unrecorded_.end(), breaks.begin(), breaks.end());
-  const auto moment = std::make_shared<const sim::Snapshot>(simulation_->snapshot());
-  if (const sim::Status written = writeFrame(*moment); !written) return written;
-  FrameNote note;
-  const Clock::time_point now = Clock::now();
-  const double elapsed = Seconds(now - frameStart_).count();
-  const sim::Work& work = simulation_->work();
-  if (footage_->frameCount() > 0 && elapsed > 0.0) {
-    note.realTimeFactor = (simulation_->time() - frameTime_) / elapsed;
-    const double past = realTimeFactor_ > 0.0 ? kInertia : 0.0;
-    realTimeFactor_ = past * realTimeFactor_ + (1.0 - past) * note.realTimeFactor;
-  }
-  note.bondsEvaluated = work.bondsEvaluated - frameWork_.bondsEvaluated;
-  note.bondsSkipped = work.bondsSkipped - frameWork_.bondsSkipped;
-  frameWork_ = work;
-  frameStart_ = now;
-  frameTime_ = simulation_->time();
-  footage_->append(moment, note, std::exchange(unrecorded_, {}));
-  newest_ = moment;
-  changed_ = true;
+  sim::Result<modeling::Recording::Frame> frame = run_.recording->record();
+  if (!frame) return frame.problem();
+  const bool first = run_.footage->frameCount() == 0;
+  run_.footage->append(frame->moment, speed_.noteFrame(*run_.simulation, first), std::move(frame->breaks));
+  newest_ = frame->moment;
+  telling_.tellAtOnce();
   if (pauseAtFrame_) setPaused(true);
   return sim::Done{};
 }
 
-/// What was performed stands in the take as well, so that it can be continued and run again.
-sim::Status LiveRun::writeScene() {
-  if (sceneWritten_) return sim::Done{};
-  const sim::Status written = take_->appendScene(headerOf(scene_).scene);
-  sceneWritten_ = written.ok();
-  return written;
-}
-
-sim::Status LiveRun::writeFrame(const sim::Snapshot& moment) {
-  if (const sim::Status written = writeScene(); !written) return written;
-  if (const sim::Status written = take_->appendFrame(moment, unrecorded_); !written) return written;
-  if (++framesSinceCheckpoint_ < sim::kFramesPerCheckpoint && !ended()) return sim::Done{};
-  // A checkpoint that could not be written is tried again with the next frame; the frame itself stands.
-  if (take_->appendCheckpoint(simulation_->checkpoint())) framesSinceCheckpoint_ = 0;
-  return sim::Done{};
-}
-
 void LiveRun::setPaused(bool paused) {
-  if (phase_ != RunPhase::running && phase_ != RunPhase::paused) return;
+  if (!isActive()) return;
   pauseAtFrame_ = false;
   if (!paused && unwritten_ && !retry()) return;
   phase_ = paused ? RunPhase::paused : RunPhase::running;
-  restartClock();
+  restartClocks();
   look();
 }
 
@@ -215,89 +109,106 @@ void LiveRun::pauseBecause(const sim::Problem& problem) {
 }
 
 void LiveRun::setPausedAtFrame() {
-  if (phase_ != RunPhase::running && phase_ != RunPhase::paused) return;
+  if (!isActive()) return;
   setPaused(false);
   pauseAtFrame_ = true;
 }
 
 void LiveRun::stepOnce() {
   if (phase_ != RunPhase::paused || (unwritten_ && !retry())) return;
-  const double frame = sim::nextFrameTime(simulation_->time(), simulation_->step(), plan_.scene.output.fps);
-  if (const sim::Status status = simulation_->stepOnce(); !status) {
+  const double frame = run_.recording->nextFrameTime();
+  if (const sim::Status status = run_.simulation->stepOnce(); !status) {
     fail(status.problem());
     return;
   }
   look();
-  if (!sim::hasReached(simulation_->time(), simulation_->step(), frame)) return;
+  if (!sim::hasReached(time(), run_.simulation->step(), frame)) return;
   if (const sim::Status recorded = recordFrame(); !recorded) pauseBecause(recorded.problem());
 }
 
 void LiveRun::stop() {
-  if (phase_ != RunPhase::running && phase_ != RunPhase::paused) return;
-  if (unwritten_) retry();
+  if (!isActive()) return;
+  pauseAtFrame_ = false;
+  if (!run_.recording->isRecorded()) {
+    const sim::Status recorded = recordFrame();
+    problem_ = recorded ? std::optional<sim::Problem>() : recorded.problem();
+  }
   finish("stopped");
 }
 
 void LiveRun::finish(const std::string& outcome) {
-  if (take_) {
-    static_cast<void>(writeScene());
-    if (framesSinceCheckpoint_ > 0 && outcome == "stopped")
-      static_cast<void>(take_->appendCheckpoint(simulation_->checkpoint()));
-    if (const sim::Status finished = take_->finish(outcome); !finished) problem_ = finished.problem();
-    take_.reset();
-  }
+  if (const sim::Status finished = run_.recording->finish(outcome); !finished) problem_ = finished.problem();
   phase_ = RunPhase::done;
   look();
 }
 
 void LiveRun::fail(const sim::Problem& problem) {
-  if (take_) static_cast<void>(take_->finish(problem.line()));
-  take_.reset();
+  if (run_.recording) static_cast<void>(run_.recording->fail(problem));
   problem_ = problem;
   phase_ = RunPhase::failed;
-  changed_ = true;
+  telling_.tellAtOnce();
 }
 
 void LiveRun::setPace(const Pace& pace) {
-  pace_ = pace;
-  restartClock();
+  pace_.setPace(pace, time());
+  speed_.restart(time());
+}
+
+void LiveRun::perform(const modeling::TargetName& target, const std::vector<modeling::SceneTrackKey>& keys) {
+  if (isActive()) takeOver(performance_->perform(*run_.simulation, target, keys));
+}
+
+void LiveRun::performCollider(const modeling::SceneCollider& prototype,
+                              std::vector<modeling::SceneTrackKey> path) {
+  if (isActive() && path.size() >= 2)
+    takeOver(performance_->performCollider(*run_.simulation, prototype, std::move(path)));
+}
+
+/// What was performed stands in the take as well, so that it can be continued and run again.
+void LiveRun::takeOver(const sim::Status& performed) {
+  telling_.tellAtOnce();
+  if (!performed) {
+    run_.notes.push_back(performed.problem().line());
+    return;
+  }
+  run_.recording->setScene(performance_->scene());
+  run_.footage->setScene(performance_->scene());
 }
 
 /// Takes a picture of the present moment for the next view.
 void LiveRun::look() {
-  if (simulation_) newest_ = std::make_shared<const sim::Snapshot>(simulation_->snapshot());
-  changed_ = true;
+  if (run_.simulation) newest_ = std::make_shared<const sim::Snapshot>(run_.simulation->snapshot());
+  telling_.tellAtOnce();
 }
 
 std::shared_ptr<const RunView> LiveRun::newView() {
-  const Clock::time_point now = Clock::now();
-  if (!changed_) {
-    const auto wait = std::max<Clock::duration>(kViewInterval, kViewShare * tellingTook_);
-    if (phase_ != RunPhase::running || now - toldAt_ < wait) return nullptr;
+  const Clock::time_point begun = Clock::now();
+  if (!telling_.isUrgent()) {
+    if (phase_ != RunPhase::running || !telling_.isDue()) return nullptr;
     look();
   }
-  changed_ = false;
   auto view = std::make_shared<RunView>();
   view->run = number_;
   view->phase = phase_;
-  view->footage = footage_;
+  view->footage = run_.footage;
   view->newest = newest_;
-  view->until = plan_.scene.output.duration;
-  view->performed = performed_;
-  view->notes = notes_;
+  view->notes = run_.notes;
   view->problem = problem_;
-  view->realTimeFactor = realTimeFactor_;
-  if (simulation_) {
-    view->step = simulation_->step();
-    view->brokenBonds = simulation_->brokenBondCount();
-    view->work = simulation_->work();
-    view->memoryBytes = simulation_->memoryBytes();
-    if (phase_ == RunPhase::done) view->stateHash = simulation_->stateHash();
-    const double left = view->until - simulation_->time();
-    if (realTimeFactor_ > 0.0 && phase_ == RunPhase::running) view->secondsLeft = left / realTimeFactor_;
+  view->realTimeFactor = speed_.realTimeFactor();
+  view->until = run_.recording ? run_.recording->plan().until : plan_.scene.output.duration;
+  if (performance_) view->performed = performance_->performed();
+  if (run_.simulation) {
+    const sim::Simulation& simulation = *run_.simulation;
+    view->step = simulation.step();
+    view->brokenBonds = simulation.brokenBondCount();
+    view->work = simulation.work();
+    view->memoryBytes = simulation.memoryBytes();
+    if (phase_ == RunPhase::done) view->stateHash = simulation.stateHash();
+    const double left = view->until - simulation.time();
+    if (view->realTimeFactor > 0.0 && phase_ == RunPhase::running)
+      view->secondsLeft = left / view->realTimeFactor;
   }
-  toldAt_ = Clock::now();
-  tellingTook_ = toldAt_ - now;
+  telling_.told(begun);
   return view;
 }
 

@@ -1,18 +1,18 @@
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
 
 #include "ui/session/run.h"
+#include "ui/session/run_clocks.h"
+#include "ui/session/run_start.h"
 
 namespace ui {
 
-/// One run as the worker's thread drives it: prepares the simulation, steps it in slices short enough to obey
-/// orders between them, records frames, and describes itself. Not thread-safe.
+/// One run as the worker's thread drives it: steps the simulation in slices short enough to obey orders
+/// between them, records frames, and describes itself. Not thread-safe.
 class LiveRun {
  public:
-  using Clock = std::chrono::steady_clock;
   /// Answers true when the slice is to end early.
   using Interrupt = std::function<bool()>;
 
@@ -33,7 +33,7 @@ class LiveRun {
   /// Runs to the next frame, then pauses.
   void setPausedAtFrame();
   void stepOnce();
-  /// Finishes the take. What is done or failed stays so.
+  /// Makes the present moment the last frame and finishes the take. What is done or failed stays so.
   void stop();
   void fail(const sim::Problem& problem);
   void setPace(const Pace& pace);
@@ -44,54 +44,32 @@ class LiveRun {
   std::shared_ptr<const RunView> newView();
 
  private:
-  sim::Status startFresh();
-  sim::Status startContinued(const Interrupt& cancelled);
-  sim::Status showCopiedFrames(const sim::TakeReader& reader);
-  sim::Status startTake();
-  bool ended() const;
-  /// False when the simulation failed.
+  /// Running or paused.
+  bool isActive() const { return phase_ == RunPhase::running || phase_ == RunPhase::paused; }
+  sim::Status start(const Interrupt& cancelled);
   bool stepTowards(double frame);
   sim::Status recordFrame();
-  sim::Status writeFrame(const sim::Snapshot& moment);
-  sim::Status writeScene();
   void pauseBecause(const sim::Problem& problem);
   bool retry();
   void finish(const std::string& outcome);
-  void replan(std::vector<Performed> performed);
-  void restartPace();
-  void restartClock();
-  double secondsAhead() const;
+  void takeOver(const sim::Status& performed);
+  void restartClocks();
   void look();
+  double time() const { return run_.simulation ? run_.simulation->time() : 0.0; }
 
   std::uint64_t number_;
-  RunPlan plan_;
-  Pace pace_;
+  RunPlan plan_;  ///< spent once the run has started
   RunPhase phase_ = RunPhase::preparing;
-  bool pauseAtFrame_ = false;
-  std::unique_ptr<sim::Simulation> simulation_;
-  std::unique_ptr<sim::TakeWriter> take_;
-  std::shared_ptr<Footage> footage_;
-  modeling::Scene scene_;     ///< as performed so far
-  bool sceneWritten_ = true;  ///< the take's scene is this one
-  std::vector<sim::BreakEvent> unrecorded_;
-  std::uint64_t framesSinceCheckpoint_ = 0;
-  std::vector<Performed> performed_;
-  std::vector<std::string> notes_;
+  StartedRun run_;  ///< empty until it has started
+  std::optional<Performance> performance_;
   std::optional<sim::Problem> problem_;
+  bool pauseAtFrame_ = false;
   bool unwritten_ = false;  ///< the frame of this very moment could not be recorded
-
-  Clock::time_point paceStart_;   ///< when the clock of the pace was started,
-  double paceTime_ = 0.0;         ///< s: and at which moment of the simulation
-  double secondsPerStep_ = 1e-4;  ///< of the clock, lately
-  double realTimeFactor_ = 0.0;
-  Clock::time_point frameStart_;  ///< when the last frame was recorded, or the run began or went on,
-  double frameTime_ = 0.0;        ///< s: at this moment of the simulation
-  sim::Work frameWork_;           ///< and by then this had been done
-
+  PaceClock pace_;
+  SpeedMeter speed_;
+  ShortAdvance steps_;
+  ViewSchedule telling_;
   sim::SnapshotPointer newest_;
-  bool changed_ = true;  ///< something is to be told at once
-  Clock::time_point toldAt_;
-  Clock::duration tellingTook_{};
 };
 
 }  // namespace ui

@@ -1,19 +1,16 @@
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <string>
-#include <thread>
 
 #include "ui/picture/take_pictures.h"
+#include "ui/session/background_worker.h"
 
 namespace ui {
 
-/// Pictures drawn in a thread of their own, while the window goes on. The window asks how far they are; each
-/// answer has the picture as it is by then. Every function may be called from any thread and returns at once.
+/// Pictures drawn in a thread of their own (BackgroundWorker), while the window goes on. The window asks how
+/// far they are; each answer has the picture as it is by then.
 class PictureJob {
  public:
   struct Order {
@@ -36,24 +33,12 @@ class PictureJob {
   };
 
   explicit PictureJob(Order order);
-  /// Stops it and waits for the samples that are being drawn, a few milliseconds.
-  ~PictureJob();
-  PictureJob(const PictureJob&) = delete;
-  PictureJob& operator=(const PictureJob&) = delete;
 
-  void stop() { runner_.request_stop(); }
+  void stop() { worker_.cancel(); }
   View view() const;
 
  private:
-  sim::Status drawAll(const std::stop_token& stop);
-  sim::Status drawFrame(TakePictures& pictures, std::size_t frame, const std::filesystem::path& path,
-                        const std::stop_token& stop);
-  void show(std::shared_ptr<const Image> image, std::size_t frame, double share);
-
-  Order order_;
-  mutable std::mutex mutex_;  ///< of view_
-  View view_;
-  std::jthread runner_;  ///< last: it uses all of the above
+  BackgroundWorker<Order, View> worker_;
 };
 
 }  // namespace ui

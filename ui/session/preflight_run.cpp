@@ -1,67 +1,33 @@
 #include "ui/session/preflight_run.h"
 
-#include <mutex>
-
-#include "ui/session/background.h"
-
 namespace ui {
 
-struct PreflightRun::Shared {
-  mutable std::mutex mutex;
-  bool done = false;
-  std::optional<modeling::Preflight> result;
-  std::optional<sim::Problem> problem;
-};
-
-PreflightRun::~PreflightRun() {
-  runner_.request_stop();
-  // Finding the stable step of something large takes longer than a person waits for a window to close; what
-  // it works on is its own.
-  if (runner_.joinable() && !isDone()) runner_.detach();
-}
+PreflightRun::PreflightRun()
+    : worker_([](const std::shared_ptr<const Preview>& preview, auto& job) -> sim::Status {
+        if (preview->problem) return *preview->problem;
+        if (!preview->built) return sim::Problem{"", "there is nothing to simulate", "add a part"};
+        const auto found =
+            modeling::preflight(preview->scene, *preview->built, 0, [&job] { return !job.cancelled(); });
+        if (!found) return found.problem();
+        job.value = *found;
+        return sim::Done{};
+      }) {}
 
 void PreflightRun::start(const std::shared_ptr<const Preview>& preview) {
-  runner_.request_stop();
-  if (runner_.joinable()) runner_.detach();
-  shared_ = std::make_shared<Shared>();
-  runner_ = std::jthread([shared = shared_, preview](const std::stop_token& stop) {
-    giveWayToTheWindow();
-    sim::Result<modeling::Preflight> result = sim::Problem{"", "there is nothing to simulate", "add a part"};
-    try {
-      if (preview->problem) result = *preview->problem;
-      if (preview->built) {
-        result =
-            modeling::preflight(preview->scene, *preview->built, 0, [&] { return !stop.stop_requested(); });
-      }
-    } catch (const std::exception& exception) {
-      result = sim::Problem{"", std::string("this could not be found out: ") + exception.what(), ""};
-    }
-    const std::lock_guard lock(shared->mutex);
-    shared->done = true;
-    if (result) {
-      shared->result = *result;
-    } else {
-      shared->problem = result.problem();
-    }
-  });
+  started_ = worker_.request(preview);
 }
 
 bool PreflightRun::isDone() const {
-  if (!shared_) return false;
-  const std::lock_guard lock(shared_->mutex);
-  return shared_->done;
+  const auto answer = worker_.newest();
+  return started_ > 0 && answer->request == started_ && answer->ended;
 }
 
 std::optional<modeling::Preflight> PreflightRun::result() const {
-  if (!shared_) return std::nullopt;
-  const std::lock_guard lock(shared_->mutex);
-  return shared_->result;
+  return isDone() ? worker_.newest()->value : std::nullopt;
 }
 
 std::optional<sim::Problem> PreflightRun::problem() const {
-  if (!shared_) return std::nullopt;
-  const std::lock_guard lock(shared_->mutex);
-  return shared_->problem;
+  return isDone() ? worker_.newest()->problem : std::nullopt;
 }
 
 }  // namespace ui

@@ -2,21 +2,17 @@
 
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "modeling/preflight/preflight.h"
 #include "ui/session/builder.h"
 
 namespace ui {
 
-/// Finds out what a run will cost on this machine, and what looks wrong before it begins, on a thread of its
-/// own. Every function returns at once.
+/// Finds out what a run will cost on this machine, and what looks wrong before it begins, in a thread of its
+/// own (BackgroundWorker).
 class PreflightRun {
  public:
-  PreflightRun() = default;
-  ~PreflightRun();
-  PreflightRun(const PreflightRun&) = delete;
-  PreflightRun& operator=(const PreflightRun&) = delete;
+  PreflightRun();
 
   void start(const std::shared_ptr<const Preview>& preview);
   bool isDone() const;
@@ -25,9 +21,10 @@ class PreflightRun {
   std::optional<sim::Problem> problem() const;
 
  private:
-  struct Shared;
-  std::shared_ptr<Shared> shared_;
-  std::jthread runner_;
+  using Worker = BackgroundWorker<std::shared_ptr<const Preview>, std::optional<modeling::Preflight>>;
+
+  Worker worker_;
+  std::uint64_t started_ = 0;  ///< number of the request; 0: none yet
 };
 
 }  // namespace ui

@@ -4,12 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "modeling/scene/build.h"
 #include "sim/dynamics/simulation.h"
 #include "ui/session/footage.h"
+#include "ui/session/performance.h"
 
 /// What passes between the window's thread and the one that simulates: values, made by one and only read by
 /// the other.
@@ -18,10 +18,10 @@ namespace ui {
 /// What to simulate, and where to record it.
 struct RunPlan {
   modeling::Scene scene;
-  std::filesystem::path folder;                       ///< of files that the scene names
+  std::filesystem::path folder;                       ///< where files that the scene names are looked for
   std::filesystem::path take;                         ///< where it is recorded; replaced
   int threads = 0;                                    ///< 0: all there are
-  std::shared_ptr<const modeling::BuiltScene> built;  ///< of this very scene, where there is one already
+  std::shared_ptr<const modeling::BuiltScene> built;  ///< this very scene, where it was built already
   /// Where it goes on from; absent: from the start.
   struct Continuation {
     std::shared_ptr<Footage> take;
@@ -46,34 +46,20 @@ enum class RunPhase {
   failed,  ///< RunView::problem says why; what was recorded stays
 };
 
-/// Something a person did while it ran, at the moment of the simulation from which on it acts.
-struct PerformedKey {
-  modeling::TargetName target;
-  double time = 0.0;  ///< s
-  std::variant<double, sim::Vec3> value = 0.0;
-};
-struct PerformedCollider {
-  modeling::SceneCollider collider;           ///< under the name the run gave it
-  std::vector<modeling::SceneTrackKey> path;  ///< of its position
-};
-using Performed = std::variant<PerformedKey, PerformedCollider>;
-/// Writes it into a scene, whose run from the start then is the one in which it was performed.
-void replay(const Performed& performed, modeling::Scene& scene);
-
 /// A run at one moment; immutable.
 struct RunView {
   std::uint64_t run = 0;  ///< which, counted from 1
   RunPhase phase = RunPhase::idle;
   std::shared_ptr<Footage> footage;  ///< null until the network is built
-  sim::SnapshotPointer newest;       ///< of the present moment, which need not be a frame
-  double until = 0.0;                ///< s
+  sim::SnapshotPointer newest;       ///< the present moment, which need not be a frame
+  double until = 0.0;                ///< s: when the run ends
   double step = 0.0;                 ///< s
   double realTimeFactor = 0.0;       ///< simulated seconds a second of the clock, lately
-  double secondsLeft = 0.0;          ///< of the clock, at the present speed
+  double secondsLeft = 0.0;          ///< s of the clock until the end, at the present speed
   std::uint64_t brokenBonds = 0;
   sim::Work work;
   std::size_t memoryBytes = 0;
-  std::uint64_t stateHash = 0;       ///< of a run that is done
+  std::uint64_t stateHash = 0;       ///< where the run is done
   std::vector<Performed> performed;  ///< since the start of the run
   std::vector<std::string> notes;    ///< what is allowed but seldom meant
   std::optional<sim::Problem> problem;

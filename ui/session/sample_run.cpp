@@ -1,28 +1,9 @@
 #include "ui/session/sample_run.h"
 
-#include <mutex>
-
 #include "modeling/scene/build.h"
 #include "sim/dynamics/simulation.h"
-#include "ui/session/background.h"
 
 namespace ui {
-
-struct SampleRun::Shared {
-  mutable std::mutex mutex;
-  View view;
-
-  void add(std::shared_ptr<const sim::SurfaceMesh> mesh, bool broke) {
-    const std::lock_guard lock(mutex);
-    view.frames.push_back(std::move(mesh));
-    view.broke = broke;
-  }
-  void finish(std::optional<sim::Problem> problem) {
-    const std::lock_guard lock(mutex);
-    view.problem = std::move(problem);
-    view.done = true;
-  }
-};
 
 namespace {
 
@@ -51,19 +32,19 @@ modeling::Scene sampleScene(const modeling::Material& material) {
 }
 
 /// Bit by bit, so that a stop is heeded soon however small the step is.
-sim::Status advance(sim::Simulation& simulation, double until, const std::stop_token& stop) {
+template <class Job>
+sim::Status advance(sim::Simulation& simulation, double until, const Job& job) {
   constexpr int kBits = 20;
   const double from = simulation.time();
-  for (int bit = 1; bit <= kBits && !stop.stop_requested(); ++bit) {
+  for (int bit = 1; bit <= kBits && !job.cancelled(); ++bit) {
     if (sim::Status status = simulation.advanceTo(from + (until - from) * bit / kBits); !status)
       return status;
   }
   return sim::Done{};
 }
 
-template <class Report>
-std::optional<sim::Problem> run(const modeling::Material& material, const std::stop_token& stop,
-                                const Report& report) {
+template <class Job>
+sim::Status run(const modeling::Material& material, Job& job) {
   sim::Result<modeling::BuiltScene> built = modeling::build(sampleScene(material), {});
   if (!built) return built.problem();
   sim::Settings settings = built->conditions.settings;
@@ -73,53 +54,39 @@ std::optional<sim::Problem> run(const modeling::Material& material, const std::s
   if (!simulation) return simulation.problem();
   sim::Simulation& running = **simulation;
   sim::SurfaceBuilder surface(running.network());
-  for (int frame = 0; frame < SampleRun::kFrames && !stop.stop_requested(); ++frame) {
+  for (int frame = 0; frame < SampleRun::kFrames && !job.cancelled(); ++frame) {
     const double until = SampleRun::kDuration * frame / (SampleRun::kFrames - 1);
     if (frame > 0) {
-      if (const sim::Status status = advance(running, until, stop); !status) return status.problem();
+      if (const sim::Status status = advance(running, until, job); !status) return status;
     }
-    report(std::make_shared<const sim::SurfaceMesh>(surface.build(running.snapshot())),
-           running.brokenBondCount() > 0);
+    job.value.frames.push_back(std::make_shared<const sim::SurfaceMesh>(surface.build(running.snapshot())));
+    job.value.broke = running.brokenBondCount() > 0;
+    job.publish();
   }
-  return std::nullopt;
+  return sim::Done{};
 }
 
 }  // namespace
 
-SampleRun::~SampleRun() {
-  stop();
-}
+SampleRun::SampleRun()
+    : worker_([](const modeling::Material& material, auto& job) { return run(material, job); }) {}
 
 void SampleRun::start(const modeling::Material& material) {
-  stop();
-  std::erase_if(runs_, [](const Run& run) {
-    const std::lock_guard lock(run.shared->mutex);
-    return run.shared->view.done;
-  });
-  shared_ = std::make_shared<Shared>();
-  runs_.push_back({shared_, std::jthread([shared = shared_, material](const std::stop_token& stop) {
-                     giveWayToTheWindow();
-                     std::optional<sim::Problem> problem;
-                     try {
-                       problem = run(material, stop,
-                                     [&](auto mesh, bool broke) { shared->add(std::move(mesh), broke); });
-                     } catch (const std::exception& exception) {
-                       problem = sim::Problem{"", std::string("the sample failed: ") + exception.what(), ""};
-                     }
-                     shared->finish(std::move(problem));
-                   })});
+  started_ = worker_.request(material);
 }
 
 void SampleRun::stop() {
-  // Nobody waits here: a thread that was told to end does so by itself, and is joined when it has.
-  for (Run& run : runs_) run.thread.request_stop();
-  shared_.reset();
+  worker_.cancel();
+  started_ = 0;
 }
 
 SampleRun::View SampleRun::view() const {
-  if (!shared_) return {};
-  const std::lock_guard lock(shared_->mutex);
-  return shared_->view;
+  const auto answer = worker_.newest();
+  if (started_ == 0 || answer->request != started_) return {};
+  View view = answer->value;
+  view.done = answer->ended;
+  view.problem = answer->problem;
+  return view;
 }
 
 }  // namespace ui

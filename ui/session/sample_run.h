@@ -2,17 +2,17 @@
 
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "modeling/material/material.h"
 #include "sim/base/result.h"
 #include "sim/surface/surface_mesh.h"
+#include "ui/session/background_worker.h"
 
 namespace ui {
 
-/// A small bar of a material that is thrown flat across a rod, on a thread of its own: what a material does,
-/// to look at while its numbers are changed. start() and view() return at once.
+/// A small bar of a material that is thrown flat across a rod, in a thread of its own (BackgroundWorker):
+/// what a material does, to look at while its numbers are changed.
 class SampleRun {
  public:
   static constexpr double kDuration = 0.05;  ///< s, simulated
@@ -26,26 +26,17 @@ class SampleRun {
     std::optional<sim::Problem> problem;
   };
 
-  SampleRun() = default;
-  /// Waits for the steps that are under way, which take milliseconds.
-  ~SampleRun();
-  SampleRun(const SampleRun&) = delete;
-  SampleRun& operator=(const SampleRun&) = delete;
+  SampleRun();
 
   /// Drops what runs and begins anew.
   void start(const modeling::Material& material);
   void stop();
-  bool isStarted() const { return shared_ != nullptr; }
+  bool isStarted() const { return started_ > 0; }
   View view() const;
 
  private:
-  struct Shared;
-  struct Run {
-    std::shared_ptr<Shared> shared;  ///< with its thread
-    std::jthread thread;
-  };
-  std::shared_ptr<Shared> shared_;  ///< of the present run
-  std::vector<Run> runs_;           ///< the present one, and those that are told to end
+  BackgroundWorker<modeling::Material, View> worker_;
+  std::uint64_t started_ = 0;  ///< number of the request; 0: none, or it was stopped
 };
 
 }  // namespace ui

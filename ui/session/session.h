@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QDateTime>
-#include <QImage>
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
@@ -12,35 +10,13 @@
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/session/builder.h"
+#include "ui/session/current_run.h"
 #include "ui/session/frame_loader.h"
 #include "ui/session/playback.h"
 #include "ui/session/shown.h"
-#include "ui/session/worker.h"
+#include "ui/session/take_list.h"
 
 namespace ui {
-
-/// What is known of a take beside its recording.
-struct TakeLabel {
-  QString name;
-  QString note;
-  std::optional<double> continuedAt;  ///< s: where it left the take it was continued from
-  QDateTime made;
-};
-
-/// A take in the window's list.
-struct Take : TakeLabel {
-  std::shared_ptr<Footage> footage;
-  QImage thumbnail;
-  bool stale = false;  ///< the scene has been changed since
-  bool own = false;    ///< recorded by the program, which keeps and deletes its file; else somebody's file
-};
-
-/// A take that a program which was killed left behind.
-struct LeftTake {
-  std::filesystem::path file;
-  QString name;  ///< empty: none is known
-  QString note;
-};
 
 /// Everything behind the window: the document, what is built of it, the run, the takes and the moment shown.
 /// Lives in the window's thread; a timer looks at what the other threads have ready.
@@ -55,36 +31,19 @@ class Session : public QObject {
   Document& document() { return document_; }
   Selection& selection() { return selection_; }
   Playback& playback() { return playback_; }
+  TakeList& takes() { return takes_; }
+  const TakeList& takes() const { return takes_; }
 
   /// The scene as built last; never null. Older than the scene while isBuilding().
   const std::shared_ptr<const Preview>& preview() const { return preview_; }
   bool isBuilding() const { return builder_.isBusy(); }
   /// The run as it was told last; never null.
-  const std::shared_ptr<const RunView>& run() const { return run_; }
-  bool isRunning() const;
+  const std::shared_ptr<const RunView>& run() const { return run_.view(); }
+  /// It runs, or is about to.
+  bool isRunning() const { return run_.isPreparingOrRunning(); }
   /// Running or paused.
-  bool hasRun() const;
+  bool hasRun() const { return run_.isRunningOrPaused(); }
   const Shown& shown() const { return shown_; }
-
-  const std::vector<Take>& takes() const { return takes_; }
-  /// Which take is on the timeline.
-  std::optional<std::size_t> currentTake() const { return currentTake_; }
-  void selectTake(std::size_t take);
-  void renameTake(std::size_t take, const QString& name);
-  void noteTake(std::size_t take, const QString& note);
-  void setThumbnail(std::size_t take, const QImage& picture);
-  /// Takes it off the list; its file is deleted where it is the program's own.
-  void removeTake(std::size_t take);
-  /// Some take was recorded by the program itself.
-  bool hasOwnTakes() const;
-  /// A Problem where the file is no take. Makes it the current one.
-  sim::Status openTake(const std::filesystem::path& file);
-  /// Puts a take of the program's own into the list, and leaves the timeline as it is.
-  sim::Status listTake(const std::filesystem::path& file, const TakeLabel& label, const QImage& thumbnail);
-  /// Takes over files of a run that was cut short; those that cannot be read are left out.
-  void adoptTakes(const std::vector<LeftTake>& takes);
-  /// Copies its file. Asks for a take that is finished.
-  sim::Status saveTake(std::size_t take, const std::filesystem::path& file) const;
 
   /// What the space bar does: pauses or goes on with a run, plays or stops a take that is up to date, else
   /// simulates.
@@ -94,17 +53,17 @@ class Session : public QObject {
   /// From the frame that is shown, as a new take beside the old: with the scene as it is now where `changed`,
   /// else as the take was run.
   void continueFromFrame(bool changed);
-  void pauseRun(bool paused) { worker_.setPaused(paused); }
-  void stepRun() { worker_.stepOnce(); }
-  void stepRunToFrame() { worker_.stepFrame(); }
-  void stopRun() { worker_.stop(); }
+  void pauseRun(bool paused) { run_.worker().setPaused(paused); }
+  void stepRun() { run_.worker().stepOnce(); }
+  void stepRunToFrame() { run_.worker().stepFrame(); }
+  void stopRun() { run_.worker().stop(); }
   /// Back to the scene as edited.
   void showEdited();
   /// The window follows the run; else it stays on the frame of the cursor.
   bool followsRun() const { return following_; }
   void followRun();
 
-  void setPace(const Pace& pace) { worker_.setPace(pace); }
+  void setPace(const Pace& pace) { run_.worker().setPace(pace); }
 
   /// What is performed becomes keys of the scene's tracks.
   bool records() const { return recording_; }
@@ -120,50 +79,37 @@ class Session : public QObject {
  signals:
   void previewChanged();
   void runChanged();
-  void takesChanged();
-  /// One of the program's own; its file is being deleted.
-  void takeRemoved(const std::filesystem::path& file);
   void shownChanged();
   void problemFound(const sim::Problem& problem);
 
  private:
   void rebuild();
+  void replace();
   void tick();
-  void takeView(const std::shared_ptr<const RunView>& view);
-  void recordPerformed(const RunView& view);
+  void followPreview();
+  void followView();
+  void recordPerformed();
+  void showCurrentTake();
   void showFrame();
   void showLoaded();
   void show(Shown shown);
-  void judgeTakes();
-  sim::Status addTake(const std::filesystem::path& file, Take take);
-  std::filesystem::path newTakeFile();
-  void begin(RunPlan plan, const QString& name);
-  QString freshTakeName() const;
+  void begin(RunPlan plan, std::optional<double> continuedAt);
 
-  std::filesystem::path takesFolder_;
   Document document_;
   Selection selection_;
   Playback playback_;
+  TakeList takes_;
   std::shared_ptr<const Preview> preview_;
-  std::shared_ptr<const RunView> run_;
-  std::vector<Take> takes_;
-  std::optional<std::size_t> currentTake_;
   Shown shown_;
   bool following_ = false;
   bool recording_ = true;
-  std::uint64_t currentRun_ = 0;   ///< the one last started
-  std::size_t performedSeen_ = 0;  ///< of the current run
-  bool takeListed_ = false;        ///< of the current run
-  bool listing_ = false;           ///< this very moment
-  QString nextTakeName_;
-  std::optional<double> nextContinuedAt_;
+  bool listing_ = false;                   ///< the take of a run is being put into the list
   std::optional<std::size_t> frameAsked_;  ///< of the loader
-  std::optional<std::size_t> frameShown_;  ///< of the current take
   QTimer timer_;
   // Last: their threads end first.
   FrameLoader loader_;
   Builder builder_;
-  Worker worker_;
+  CurrentRun run_;
 };
 
 }  // namespace ui

@@ -1,44 +1,33 @@
 #include "ui/session/worker.h"
 
-#include <chrono>
-#include <exception>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
 
-#include "ui/session/background.h"
 #include "ui/session/live_run.h"
 
 namespace ui {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// How long the window waits for the thread when it closes.
-constexpr std::chrono::milliseconds kPatience{400};
-
-}  // namespace
 
 /// What both sides share: the queue of orders, and the newest view.
-class Worker::Thread {
+class Worker::Queue {
  public:
-  using Order = std::function<void(Thread&)>;
+  using Order = std::function<void(Queue&)>;
+
+  void postToRun(std::function<void(LiveRun&)> order) {
+    post([order = std::move(order)](Queue& queue) {
+      if (queue.run_) order(*queue.run_);
+    });
+  }
 
   void post(Order order) {
     {
       const std::lock_guard lock(mutex_);
       orders_.push_back(std::move(order));
+      waiting_ = true;
     }
-    waiting_ = true;
     changed_.notify_all();
-  }
-
-  void end() {
-    ending_ = true;
-    waiting_ = true;
-    changed_.notify_all();
-  }
-
-  bool awaitEnd(std::chrono::milliseconds patience) {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, patience, [&] { return ended_; });
   }
 
   std::shared_ptr<const RunView> view() const {
@@ -46,59 +35,64 @@ class Worker::Thread {
     return view_;
   }
 
-  void main() {
-    giveWayToTheWindow();
-    while (!ending_) {
-      try {
-        obeyOrders();
-        if (run_ && run_->isRunning() && !ending_) run_->advance([&] { return waiting_.load(); });
-      } catch (const std::bad_alloc&) {
-        fail({"", "there is not enough memory for this", "use larger cells, or fewer of them"});
-      } catch (const std::exception& exception) {
-        fail({"", std::string("the simulation stopped: ") + exception.what(), "simulate again"});
-      }
-      publish();
+  void main(const std::stop_token& stop) {
+    stop_ = stop;
+    while (!stop_.stop_requested()) {
+      const sim::Status worked = guarded([this] { return work(); });
+      if (!worked) static_cast<void>(guarded([&] { return failRun(worked.problem()); }));
     }
-    if (run_) run_->stop();
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-    changed_.notify_all();
+    static_cast<void>(guarded([this] { return stopRun(); }));
   }
 
   void begin(std::uint64_t number, RunPlan plan) {
-    if (run_) run_->stop();
-    run_ = std::make_unique<LiveRun>(number, std::move(plan), pace);
+    static_cast<void>(stopRun());
+    run_ = std::make_unique<LiveRun>(number, std::move(plan), pace_);
     publish();
-    run_->prepare([&] { return ending_.load(); });
+    run_->prepare([this] { return stop_.stop_requested(); });
   }
-  LiveRun* run() { return run_.get(); }
+  void setPace(const Pace& wanted) {
+    pace_ = wanted;
+    if (run_) run_->setPace(wanted);
+  }
 
   std::atomic<std::uint64_t> runs{0};
-  Pace pace;  ///< of the runs to come; the thread's own
 
  private:
+  sim::Status work() {
+    obeyOrders();
+    if (run_ && run_->isRunning() && !stop_.stop_requested())
+      run_->advance([this] { return waiting_.load() || stop_.stop_requested(); });
+    publish();
+    return sim::Done{};
+  }
+
+  sim::Status failRun(const sim::Problem& problem) {
+    if (run_) run_->fail(problem);
+    publish();
+    return sim::Done{};
+  }
+
+  sim::Status stopRun() {
+    if (run_) run_->stop();
+    return sim::Done{};
+  }
+
   void obeyOrders() {
     std::unique_lock lock(mutex_);
-    if (orders_.empty()) {
-      const auto due = run_ ? run_->due() : std::optional<Clock::time_point>();
-      const auto called = [&] { return !orders_.empty() || ending_; };
-      if (due) {
-        changed_.wait_until(lock, *due, called);
-      } else {
-        changed_.wait(lock, called);
-      }
+    const auto called = [this] { return !orders_.empty(); };
+    const auto due = run_ ? run_->due() : std::optional<Clock::time_point>();
+    if (due) {
+      changed_.wait_until(lock, stop_, *due, called);
+    } else {
+      changed_.wait(lock, stop_, called);
     }
     std::deque<Order> orders;
     orders.swap(orders_);
-    if (!ending_) waiting_ = false;
+    waiting_ = false;
     lock.unlock();
     for (const Order& order : orders) {
-      if (!ending_) order(*this);
+      if (!stop_.stop_requested()) order(*this);
     }
-  }
-
-  void fail(const sim::Problem& problem) {
-    if (run_) run_->fail(problem);
   }
 
   void publish() {
@@ -109,76 +103,59 @@ class Worker::Thread {
     }
   }
 
-  std::mutex mutex_;  ///< of orders_ and ended_
-  std::condition_variable changed_;
+  std::mutex mutex_;  ///< of orders_
+  std::condition_variable_any changed_;
   std::deque<Order> orders_;
-  bool ended_ = false;
   std::atomic<bool> waiting_{false};  ///< an order is there: the next step can wait
-  std::atomic<bool> ending_{false};
-  mutable std::mutex viewMutex_;
+  mutable std::mutex viewMutex_;      ///< of view_
   std::shared_ptr<const RunView> view_ = std::make_shared<RunView>();
+  Pace pace_;                     ///< of the runs to come; the thread's own
+  std::stop_token stop_;          ///< the thread's own
   std::unique_ptr<LiveRun> run_;  ///< the thread's own
 };
 
-Worker::Worker() : thread_(std::make_shared<Thread>()), runner_([thread = thread_] { thread->main(); }) {}
-
-Worker::~Worker() {
-  thread_->end();
-  if (!thread_->awaitEnd(kPatience)) runner_.detach();
-}
+Worker::Worker()
+    : queue_(std::make_shared<Queue>()),
+      thread_([queue = queue_](const std::stop_token& stop) { queue->main(stop); }) {}
 
 std::uint64_t Worker::start(RunPlan plan) {
-  const std::uint64_t number = ++thread_->runs;
-  thread_->post([number, plan = std::move(plan)](Thread& thread) { thread.begin(number, plan); });
+  const std::uint64_t number = ++queue_->runs;
+  queue_->post([number, plan = std::move(plan)](Queue& queue) { queue.begin(number, plan); });
   return number;
 }
 
 void Worker::setPaused(bool paused) {
-  thread_->post([paused](Thread& thread) {
-    if (thread.run() != nullptr) thread.run()->setPaused(paused);
-  });
+  queue_->postToRun([paused](LiveRun& run) { run.setPaused(paused); });
 }
 
 void Worker::stepOnce() {
-  thread_->post([](Thread& thread) {
-    if (thread.run() != nullptr) thread.run()->stepOnce();
-  });
+  queue_->postToRun([](LiveRun& run) { run.stepOnce(); });
 }
 
 void Worker::stepFrame() {
-  thread_->post([](Thread& thread) {
-    if (thread.run() != nullptr) thread.run()->setPausedAtFrame();
-  });
+  queue_->postToRun([](LiveRun& run) { run.setPausedAtFrame(); });
 }
 
 void Worker::stop() {
-  thread_->post([](Thread& thread) {
-    if (thread.run() != nullptr) thread.run()->stop();
-  });
+  queue_->postToRun([](LiveRun& run) { run.stop(); });
 }
 
 void Worker::setPace(const Pace& pace) {
-  thread_->post([pace](Thread& thread) {
-    thread.pace = pace;
-    if (thread.run() != nullptr) thread.run()->setPace(pace);
-  });
+  queue_->post([pace](Queue& queue) { queue.setPace(pace); });
 }
 
 void Worker::perform(const modeling::TargetName& target, std::vector<modeling::SceneTrackKey> keys) {
-  thread_->post([target, keys = std::move(keys)](Thread& thread) {
-    if (thread.run() != nullptr) thread.run()->perform(target, keys);
-  });
+  queue_->postToRun([target, keys = std::move(keys)](LiveRun& run) { run.perform(target, keys); });
 }
 
 void Worker::performCollider(const modeling::SceneCollider& prototype,
                              std::vector<modeling::SceneTrackKey> path) {
-  thread_->post([prototype, path = std::move(path)](Thread& thread) {
-    if (thread.run() != nullptr) thread.run()->performCollider(prototype, path);
-  });
+  queue_->postToRun(
+      [prototype, path = std::move(path)](LiveRun& run) { run.performCollider(prototype, path); });
 }
 
 std::shared_ptr<const RunView> Worker::view() const {
-  return thread_->view();
+  return queue_->view();
 }
 
 }  // namespace ui

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
-#include <deque>
-#include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
 
+#include "ui/session/background_thread.h"
 #include "ui/session/run.h"
 
 namespace ui {
@@ -19,11 +14,6 @@ namespace ui {
 class Worker {
  public:
   Worker();
-  /// Asks the thread to end and waits for it a moment. A step or a preparation that takes longer is left
-  /// alone: it ends by itself or with the program, and the take is whole up to its last frame either way.
-  ~Worker();
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
 
   /// Ends the present run, keeping what it recorded, and begins this one. Answers its number.
   std::uint64_t start(RunPlan plan);
@@ -41,11 +31,13 @@ class Worker {
   void performCollider(const modeling::SceneCollider& prototype, std::vector<modeling::SceneTrackKey> path);
 
   std::shared_ptr<const RunView> view() const;
+  /// See BackgroundThread::requestStop(). The take is whole up to its last frame, however it ends.
+  void requestStop() { thread_.requestStop(); }
 
  private:
-  class Thread;
-  std::shared_ptr<Thread> thread_;  ///< shared with the thread itself, which may outlive this
-  std::jthread runner_;
+  class Queue;
+  std::shared_ptr<Queue> queue_;  ///< shared with the thread, which may outlive this
+  BackgroundThread thread_;
 };
 
 }  // namespace ui

@@ -19,7 +19,7 @@ PlayActions::PlayActions(Session& session, QObject* parent) : QObject(parent), s
   makePlayActions();
   makeStepActions();
   connect(&session_, &Session::runChanged, this, &PlayActions::show);
-  connect(&session_, &Session::takesChanged, this, &PlayActions::show);
+  connect(&session_.takes(), &TakeList::changed, this, &PlayActions::show);
   connect(&session_, &Session::shownChanged, this, &PlayActions::show);
   connect(&session_, &Session::previewChanged, this, &PlayActions::show);
   connect(&session_.playback(), &Playback::stateChanged, this, &PlayActions::show);

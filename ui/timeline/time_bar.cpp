@@ -36,7 +36,7 @@ TimeBar::TimeBar(Session& session, TimeAxis& axis, NoteFeed& feed, PlayActions& 
   connect(&feed_, &NoteFeed::reset, this, &TimeBar::recount);
   connect(&feed_, &NoteFeed::grown, this, &TimeBar::growFilm);
   connect(&session_, &Session::shownChanged, this, &TimeBar::moveCursor);
-  connect(&session_, &Session::takesChanged, this, qOverload<>(&QWidget::update));
+  connect(&session_.takes(), &TakeList::changed, this, qOverload<>(&QWidget::update));
   connect(&session_.document(), &Document::sceneChanged, this, &TimeBar::followState);
   connect(&session_.playback(), &Playback::frameChanged, this, &TimeBar::moveCursor);
   connect(&session_.playback(), &Playback::stateChanged, this, &TimeBar::followState);
@@ -230,10 +230,10 @@ bool TimeBar::event(QEvent* event) {
 }
 
 QString TimeBar::staleReason() const {
-  const std::optional<std::size_t> current = session_.currentTake();
+  const std::optional<std::size_t> current = session_.takes().current();
   if (!current || !session_.takes()[*current].stale) return {};
   const QStringList differences =
-      differencesOf(session_.takes()[*current].footage->scene(), session_.document().scene());
+      differencesOf(*session_.takes()[*current].footage->scene(), session_.document().scene());
   if (differences.isEmpty()) return tr("The scene has been changed since.");
   return tr("Changed since: %1.").arg(differences.join(QStringLiteral(", ")));
 }

@@ -34,7 +34,7 @@ void TimeBar::paintEvent(QPaintEvent* event) {
 
 void TimeBar::paintHeader(QPainter& painter) {
   const Colours& colours = Theme::instance().colours();
-  const std::optional<std::size_t> current = session_.currentTake();
+  const std::optional<std::size_t> current = session_.takes().current();
   QString name = tr("No take yet");
   QString about = tr("Space simulates");
   bool stale = false;
@@ -122,7 +122,7 @@ void TimeBar::paintFilm(QPainter& painter) {
   shownEnd_ = xOf(notes.back().time);
   const QRectF film(xOf(notes.front().time), kFilmTop, shownEnd_ - xOf(notes.front().time),
                     kFilmBottom - kFilmTop);
-  const std::optional<std::size_t> current = session_.currentTake();
+  const std::optional<std::size_t> current = session_.takes().current();
   const bool stale = current && session_.takes()[*current].stale;
   painter.fillRect(film, mixed(colours.field, stale ? colours.dimText : colours.accent, stale ? 0.22 : 0.3));
   if (stale) paintStale(painter, film);

@@ -56,8 +56,8 @@ std::uint32_t Palette::ofFace(const DrawnFace& face) const {
 
 std::uint32_t Palette::ofNode(sim::NodeIndex node) const {
   if (settings_.colouring == Colouring::fragments)
-    return packed(fragmentColour(moment_.fragmentOfNode[node]), kPlainGlaze);
-  return ofMaterial(network_.nodeMaterials[node], false, moment_.fragmentOfNode[node]);
+    return packed(fragmentColour(moment_.broken->fragmentOfNode[node]), kPlainGlaze);
+  return ofMaterial(network_.nodeMaterials[node], false, moment_.broken->fragmentOfNode[node]);
 }
 
 ColourDraw Palette::surface(const TopologyDraw& topology) const {
@@ -66,7 +66,7 @@ ColourDraw Palette::surface(const TopologyDraw& topology) const {
   for (const DrawnFace& face : topology.faces) colours.corners.insert(colours.corners.end(), 4, ofFace(face));
   colours.shards.reserve(topology.shards.size());
   for (const ShardCorner& corner : topology.shards) {
-    const sim::FragmentId fragment = moment_.fragmentOfNode[corner.node];
+    const sim::FragmentId fragment = moment_.broken->fragmentOfNode[corner.node];
     colours.shards.push_back(settings_.colouring == Colouring::fragments
                                  ? ofNode(corner.node)
                                  : ofMaterial(network_.nodeMaterials[corner.node], true, fragment));

@@ -47,7 +47,8 @@ LatticeDraw latticeOf(const sim::Network& network) {
 /// How far each fragment is moved for an exploded view: away from the middle of the body it came from.
 std::map<sim::FragmentId, sim::Vec3> explodedOffsets(const sim::Snapshot& moment, double share) {
   std::map<sim::FragmentId, const sim::Fragment*> byId;
-  for (const sim::Fragment& fragment : moment.fragments) byId[fragment.id] = &fragment;
+  const std::vector<sim::Fragment>& fragments = moment.broken->fragments;
+  for (const sim::Fragment& fragment : fragments) byId[fragment.id] = &fragment;
   // A parent that has broken is no living fragment: what came off it counts as of the nearest that is, or
   // else as of the parent's number.
   const auto bodyOf = [&](const sim::Fragment* fragment) {
@@ -56,15 +57,15 @@ std::map<sim::FragmentId, sim::Vec3> explodedOffsets(const sim::Snapshot& moment
     return fragment->parent == sim::kNone ? fragment->id : fragment->parent;
   };
   std::map<sim::FragmentId, std::pair<double, sim::Vec3>> bodies;
-  for (const sim::Fragment& fragment : moment.fragments) {
-    auto& [mass, moment1] = bodies.try_emplace(bodyOf(&fragment), 0.0, sim::Vec3::Zero()).first->second;
-    mass += fragment.mass;
-    moment1 += fragment.mass * fragment.centre;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    auto& [mass, moment1] = bodies.try_emplace(bodyOf(&fragments[i]), 0.0, sim::Vec3::Zero()).first->second;
+    mass += fragments[i].mass;
+    moment1 += fragments[i].mass * moment.fragments[i].centre;
   }
   std::map<sim::FragmentId, sim::Vec3> offsets;
-  for (const sim::Fragment& fragment : moment.fragments) {
-    const auto& [mass, moment1] = bodies.at(bodyOf(&fragment));
-    if (mass > 0.0) offsets[fragment.id] = share * (fragment.centre - moment1 / mass);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const auto& [mass, moment1] = bodies.at(bodyOf(&fragments[i]));
+    if (mass > 0.0) offsets[fragments[i].id] = share * (moment.fragments[i].centre - moment1 / mass);
   }
   return offsets;
 }
@@ -73,11 +74,12 @@ std::vector<sim::Vec3> explodedPositions(const sim::Snapshot& moment, double exp
   std::vector<sim::Vec3> positions = moment.positions;
   if (explode <= 0.0) return positions;
   const std::map<sim::FragmentId, sim::Vec3> offsets = explodedOffsets(moment, explode);
+  const std::vector<sim::FragmentId>& fragmentOfNode = moment.broken->fragmentOfNode;
   sim::FragmentId fragment = sim::kNone;
   sim::Vec3 offset = sim::Vec3::Zero();
   for (std::size_t node = 0; node < positions.size(); ++node) {
-    if (moment.fragmentOfNode[node] != fragment) {
-      fragment = moment.fragmentOfNode[node];
+    if (fragmentOfNode[node] != fragment) {
+      fragment = fragmentOfNode[node];
       const auto found = offsets.find(fragment);
       offset = found == offsets.end() ? sim::Vec3(sim::Vec3::Zero()) : found->second;
     }
@@ -117,8 +119,7 @@ bool DrawMaker::isNewTopology(const DrawData& data, const std::vector<std::uint8
     return true;
   const sim::Snapshot& before = *last_.shown.moment;
   const sim::Snapshot& now = *data.shown.moment;
-  return &before != &now && (before.brokenBonds != now.brokenBonds || before.brokenCells != now.brokenCells ||
-                             before.fragmentOfNode != now.fragmentOfNode);
+  return before.broken->version != now.broken->version;
 }
 
 void DrawMaker::addColours(DrawData& data, bool newTopology) {
@@ -200,10 +201,9 @@ DrawData DrawMaker::make(const Shown& shown, const ViewSettings& settings,
     const std::vector<std::uint8_t> hidden = hiddenParts(*network_, settings);
     const bool newTopology = isNewTopology(data, hidden);
     hidden_ = hidden;
-    data.topology =
-        newTopology
-            ? std::make_shared<const TopologyDraw>(topologyOf(*network_, *surface_, *shown.moment, hidden_))
-            : last_.topology;
+    data.topology = newTopology ? std::make_shared<const TopologyDraw>(
+                                      topologyOf(*network_, *surface_, shown.moment->broken, hidden_))
+                                : last_.topology;
     addColours(data, newTopology);
     addMotion(data, newTopology);
     addLevel(data, cancelled);

@@ -28,12 +28,14 @@ QString breakText(const sim::BreakEvent& event) {
 }
 
 QString weightText(const DrawData& data, sim::FragmentId id) {
-  for (const sim::Fragment& fragment : data.shown.moment->fragments) {
+  const sim::Snapshot& moment = *data.shown.moment;
+  for (std::size_t i = 0; i < moment.fragments.size(); ++i) {
+    const sim::Fragment& fragment = moment.broken->fragments[i];
     if (fragment.id != id) continue;
     return Viewport::tr("<br>%L1 nodes, %2 g<br>speed %3 cm/s")
         .arg(fragment.nodeCount)
         .arg(fragment.mass, 0, 'g', 4)
-        .arg(fragment.velocity.norm(), 0, 'g', 4);
+        .arg(moment.fragments[i].velocity.norm(), 0, 'g', 4);
   }
   return {};
 }

@@ -106,7 +106,7 @@ void addShards(const sim::Network& network, const std::vector<std::uint8_t>& hid
   }
 }
 
-std::vector<std::uint8_t> flagsOf(const sim::Network& network, const sim::Snapshot& moment,
+std::vector<std::uint8_t> flagsOf(const sim::Network& network, const sim::Broken& broken,
                                   const std::vector<std::uint8_t>& hidden) {
   std::vector<std::uint8_t> flags(network.bondCount(), kBondIntact);
   for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
@@ -114,7 +114,7 @@ std::vector<std::uint8_t> flagsOf(const sim::Network& network, const sim::Snapsh
       const sim::PartIndex part = network.nodeParts[node];
       const sim::PartIndex otherPart = network.nodeParts[network.bondEnds[bond]];
       if (isHidden(hidden, part) || isHidden(hidden, otherPart)) flags[bond] = kBondHidden;
-      if (!moment.brokenBonds.empty() && moment.brokenBonds[bond] != 0) flags[bond] |= kBondBroken;
+      if (broken.hasLostBond(bond)) flags[bond] |= kBondBroken;
       if (part != otherPart) flags[bond] |= kBondGlue;
     }
   }
@@ -158,12 +158,12 @@ sim::Vec3 unpackNormal(std::uint32_t packed) {
 }
 
 TopologyDraw topologyOf(const sim::Network& network, sim::SurfaceBuilder& surface,
-                        const sim::Snapshot& moment, const std::vector<std::uint8_t>& hidden) {
+                        const sim::BrokenPointer& broken, const std::vector<std::uint8_t>& hidden) {
   TopologyDraw topology;
-  topology.surface = surface.topology(moment);
+  topology.surface = surface.topology(broken);
   addFaces(network, hidden, topology);
   addShards(network, hidden, topology);
-  topology.bondFlags = flagsOf(network, moment, hidden);
+  topology.bondFlags = flagsOf(network, *broken, hidden);
   return topology;
 }
 

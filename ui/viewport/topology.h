@@ -8,7 +8,7 @@ namespace ui {
 /// The surface, loose bodies and bonds of one state of breaking. `hidden`: one byte a part, nonzero: left
 /// out.
 TopologyDraw topologyOf(const sim::Network& network, sim::SurfaceBuilder& surface,
-                        const sim::Snapshot& moment, const std::vector<std::uint8_t>& hidden);
+                        const sim::BrokenPointer& broken, const std::vector<std::uint8_t>& hidden);
 
 /// Where the topology's corners are: the nodes, and behind them the points of cracks, cm.
 std::vector<std::array<float, 4>> cornerPositions(const TopologyDraw& topology,

@@ -149,7 +149,7 @@ void MainWindow::offerLeftovers(const std::filesystem::path& root) {
     if (question.clickedButton() != static_cast<QAbstractButton*>(recover)) continue;
     session_.document().reset(leftover.scene, leftover.file);
     session_.document().markUnsaved();
-    session_.adoptTakes(leftover.takes);
+    session_.takes().adopt(leftover.takes);
     Autosave::discard(leftover);
     showViewport();
     return;

@@ -1,13 +1,14 @@
+#include "ui/session/performance.h"
+
 #include <algorithm>
 
+#include "modeling/scene/build.h"
 #include "modeling/scene/perform.h"
-#include "ui/session/live_run.h"
 
 namespace ui {
 namespace {
 
-/// A collider keeps the name the run gave it where the scene has no other of
-/// that name by now.
+/// A collider keeps the name the run gave it where the scene has no other of that name by now.
 void addCollider(const PerformedCollider& performed, modeling::Scene& scene) {
   auto& colliders = scene.environment.colliders;
   const bool taken = std::ranges::find(colliders, performed.collider.name, &modeling::SceneCollider::name) !=
@@ -34,41 +35,35 @@ void replay(const Performed& performed, modeling::Scene& scene) {
   }
 }
 
-void LiveRun::perform(const modeling::TargetName& target, const std::vector<modeling::SceneTrackKey>& keys) {
-  if (phase_ != RunPhase::running && phase_ != RunPhase::paused) return;
-  const double now = modeling::performTime(*simulation_);
+sim::Status Performance::perform(sim::Simulation& simulation, const modeling::TargetName& target,
+                                 const std::vector<modeling::SceneTrackKey>& keys) {
+  const double now = modeling::performTime(simulation);
   std::vector<Performed> performed;
   for (const modeling::SceneTrackKey& key : keys)
     performed.push_back(PerformedKey{target, now + key.time, key.value});
-  replan(std::move(performed));
+  return replan(simulation, performed);
 }
 
-void LiveRun::performCollider(const modeling::SceneCollider& prototype,
-                              std::vector<modeling::SceneTrackKey> path) {
-  if (path.size() < 2 || (phase_ != RunPhase::running && phase_ != RunPhase::paused)) return;
-  const double now = modeling::performTime(*simulation_);
+sim::Status Performance::performCollider(sim::Simulation& simulation,
+                                         const modeling::SceneCollider& prototype,
+                                         std::vector<modeling::SceneTrackKey> path) {
+  const double now = modeling::performTime(simulation);
   for (modeling::SceneTrackKey& key : path) key.time += now;
-  modeling::Scene changed = scene_;
+  modeling::Scene changed = *scene_;
   static_cast<void>(modeling::addPerformer(changed, prototype, path));
-  replan({PerformedCollider{changed.environment.colliders.back(), std::move(path)}});
+  return replan(simulation, {PerformedCollider{changed.environment.colliders.back(), std::move(path)}});
 }
 
-/// What cannot be done changes nothing, neither the run nor the scene.
-void LiveRun::replan(std::vector<Performed> performed) {
-  modeling::Scene changed = scene_;
-  for (const Performed& each : performed) replay(each, changed);
-  modeling::Conditions conditions = modeling::conditionsOf(changed, simulation_->network().materials);
+sim::Status Performance::replan(sim::Simulation& simulation, const std::vector<Performed>& performed) {
+  auto changed = std::make_shared<modeling::Scene>(*scene_);
+  for (const Performed& each : performed) replay(each, *changed);
+  modeling::Conditions conditions = modeling::conditionsOf(*changed, simulation.network().materials);
   const sim::Status status =
-      simulation_->replan(std::move(conditions.environment), std::move(conditions.tracks));
-  changed_ = true;
-  if (!status) {
-    notes_.push_back(status.problem().line());
-    return;
-  }
+      simulation.replan(std::move(conditions.environment), std::move(conditions.tracks));
+  if (!status) return status;
   scene_ = std::move(changed);
-  sceneWritten_ = false;
-  footage_->setScene(scene_);
   performed_.insert(performed_.end(), performed.begin(), performed.end());
+  return status;
 }
 
 }  // namespace ui
