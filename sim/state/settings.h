@@ -27,7 +27,7 @@ std::optional<Precision> precisionFromName(std::string_view name);
 std::string_view nameOf(Precision precision);
 const std::vector<std::string>& precisionNames();
 
-/// Natural length of the spring between two nodes in contact (P9).
+/// Natural length of the spring between two nodes in contact (docs/numerics.md, Contact 3).
 enum class ContactLength {
   nearest,  ///< min(r_i, r_j): safe where things break (default)
   sum,      ///< r_i + r_j, as the paper first states it: for what never breaks
@@ -35,15 +35,15 @@ enum class ContactLength {
 
 struct ContactSettings {
   bool between = true;  ///< nodes of different fragments repel
-  bool self = false;    ///< nodes of one fragment repel too, unless they are near along bonds (P13)
+  bool self = false;    ///< nodes of one fragment repel too, unless they were near at rest (Contact 1)
   ContactLength length = ContactLength::nearest;
-  double stiffnessScale = 1.0;  ///< of the weaker node's contact stiffness; (0, 1] keeps P16
+  double stiffnessScale = 1.0;  ///< of the weaker node's contact stiffness; (0, 1] keeps Breaking 5
   double dampingRatio = 0.3;    ///< relative to critical of the two nodes
-  double friction = 0.4;        ///< lateral force relative to k (rho - x) (P10)
+  double friction = 0.4;        ///< lateral force relative to k (rho - x) (Contact 6)
 };
 
-/// What is left out where a scene does not need it (B4). Switched off, the same is computed in full, to
-/// compare.
+/// What is left out where a scene does not need it (docs/numerics.md, "What is skipped"). Switched off, the
+/// same is computed in full, to compare.
 struct SkipSettings {
   bool sleep = true;          ///< fragments at rest, until something wakes them
   bool rigid = true;          ///< deformation of fragments that fly freely with no strain to speak of
