@@ -14,7 +14,4 @@ sim::Result<Scene> sceneOf(const sim::TakeReader& take, const std::vector<std::s
 /// By material of the network, found by name; Look's defaults where the scene has no such material.
 std::vector<Look> looksOf(const Scene& scene, const sim::Network& network);
 
-/// The scene's colliders that are there at a time (s), where its tracks have them. Invisible ones among them.
-std::vector<sim::Collider> collidersAt(const Scene& scene, double time);
-
 }  // namespace modeling

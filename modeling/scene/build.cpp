@@ -1,12 +1,11 @@
 #include "modeling/scene/build.h"
 
-#include <algorithm>
-#include <numbers>
 #include <sstream>
 
 #include "modeling/assembly/assembly.h"
 #include "modeling/scene/build_parts.h"
 #include "modeling/scene/read_obstacles.h"
+#include "modeling/scene/tracks.h"
 #include "modeling/text/spelling.h"
 
 namespace modeling {
@@ -15,13 +14,6 @@ namespace {
 /// Below this, contacts slip between a cell's nodes and the step gets small.
 constexpr double kPoorJacobian = 0.2;
 constexpr double kPoorAspect = 8.0;
-
-template <class Items>
-std::size_t indexOf(const Items& items, const std::string& name) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  return static_cast<std::size_t>(found - items.begin());
-}
 
 std::vector<PartReport> reportsOf(const std::vector<AssemblyPart>& parts) {
   std::vector<PartReport> reports;
@@ -90,39 +82,6 @@ struct ColliderFormInto {
   }
 };
 
-sim::Track trackOf(const SceneTrack& written) {
-  sim::Track track;
-  track.target = written.target.target;
-  track.interpolation = written.interpolation;
-  const bool degrees = track.target == sim::TrackTarget::colliderRotation;
-  for (const SceneTrackKey& key : written.keys) {
-    const double* number = std::get_if<double>(&key.value);
-    const Vec3 value = number != nullptr ? Vec3(*number, 0.0, 0.0) : std::get<Vec3>(key.value);
-    track.keys.push_back({key.time, degrees ? Vec3(value * (std::numbers::pi / 180.0)) : value});
-  }
-  return track;
-}
-
-void addTracks(const SceneTrack& written, const sim::Environment& environment,
-               const std::vector<sim::Material>& materials, std::vector<sim::Track>& tracks) {
-  sim::Track track = trackOf(written);
-  const TargetName& target = written.target;
-  if (target.object.empty()) {
-    tracks.push_back(track);
-    return;
-  }
-  if (target.isVector()) {
-    track.object = static_cast<std::uint32_t>(indexOf(environment.colliders, target.object));
-    tracks.push_back(track);
-    return;
-  }
-  for (std::uint32_t i = 0; i < materials.size(); ++i) {
-    if (materials[i].name != target.object) continue;
-    track.object = i;
-    tracks.push_back(track);
-  }
-}
-
 sim::Settings settingsOf(const Solver& solver) {
   sim::Settings settings;
   settings.method = solver.method;
@@ -168,9 +127,9 @@ Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& ma
   for (const SceneCollider& collider : scene.environment.colliders) {
     conditions.environment.colliders.push_back(colliderOf(collider));
   }
-  for (const SceneTrack& track : scene.tracks) {
-    addTracks(track, conditions.environment, materials, conditions.tracks);
-  }
+  std::vector<std::string> names;
+  for (const sim::Material& material : materials) names.push_back(material.name);
+  conditions.tracks = simulationTracks(scene, names);
   conditions.settings = settingsOf(scene.solver);
   return conditions;
 }

@@ -94,9 +94,7 @@ MaybeProblem checkCollider(const std::string& place, const SceneCollider& collid
 
 MaybeProblem checkTarget(const std::string& place, const TargetName& target, const Names& materials,
                          const Names& colliders) {
-  using sim::TrackTarget;
-  const bool ofCollider =
-      target.target == TrackTarget::colliderPosition || target.target == TrackTarget::colliderRotation;
+  const bool ofCollider = sim::drivesCollider(target.target);
   if (ofCollider && !knows(colliders, target.object))
     return unknown(place, "collider", target.object, colliders);
   if (!ofCollider && !target.object.empty() && !knows(materials, target.object)) {

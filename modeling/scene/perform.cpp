@@ -18,7 +18,7 @@ bool isGravity(const TargetName& target) {
 
 /// The track that a key of this target belongs into; null where there is none. A track of gravity only if it
 /// is the last, which is the one that counts.
-SceneTrack* performedTrack(Scene& scene, const TargetName& target) {
+const SceneTrack* performedTrack(const Scene& scene, const TargetName& target) {
   for (auto track = scene.tracks.rbegin(); track != scene.tracks.rend(); ++track) {
     if (track->target != target) continue;
     if (track->interpolation == sim::Interpolation::step) return &*track;
@@ -36,11 +36,8 @@ SceneTrack newTrack(const Scene& scene, const TargetName& target) {
   SceneTrack track;
   track.target = target;
   track.interpolation = sim::Interpolation::step;
-  if (!isGravity(target)) {
-    track.keys.push_back({0.0, 1.0});
-  } else if (!hasTrackOf(scene, target)) {
-    track.keys.push_back({0.0, scene.environment.gravity});
-  }
+  if (!isGravity(target) || !hasTrackOf(scene, target))
+    track.keys.push_back({0.0, neutralValue(scene, target)});
   return track;
 }
 
@@ -62,18 +59,27 @@ double performTime(const sim::Simulation& simulation) {
                   now + kMoment * simulation.step());
 }
 
-void performKey(Scene& scene, const TargetName& target, double time, std::variant<double, Vec3> value) {
+void performKey(Scene& scene, const TargetName& target, double time, TrackValue value) {
   assert(std::holds_alternative<Vec3>(value) == target.isVector());
   assert(isGravity(target) || !target.isVector());
   assert(time > 0.0);
-  SceneTrack* track = performedTrack(scene, target);
-  if (track != nullptr) {
-    cutTrack(scene, *track, time);
-  } else {
+  const SceneTrack* found = performedTrack(scene, target);
+  if (found == nullptr) {
     SceneTrack made = newTrack(scene, target);
-    track = &scene.tracks.emplace_back(std::move(made));
+    made.keys.push_back({time, std::move(value)});
+    scene.tracks.push_back(std::move(made));
+    return;
   }
-  track->keys.push_back({time, std::move(value)});
+  SceneTrack& track = scene.tracks[static_cast<std::size_t>(found - scene.tracks.data())];
+  cutTrack(scene, track, time);
+  track.keys.push_back({time, std::move(value)});
+}
+
+double performedScale(const Scene& scene, const TargetName& target, double time, double total) {
+  const SceneTrack* performed = performedTrack(scene, target);
+  const double others =
+      performed == nullptr ? scaleAt(scene, target, time) : scaleWithoutAt(scene, *performed, time);
+  return others == 0.0 ? total : total / others;
 }
 
 std::string addPerformer(Scene& scene, SceneCollider prototype, std::vector<SceneTrackKey> path) {

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/tracks.h"
 #include "sim/dynamics/simulation.h"
 
 /// What someone does to a running simulation, as changes of its scene: afterwards conditionsOf() gives what
@@ -19,7 +19,11 @@ double performTime(const sim::Simulation& simulation);
 /// ::step) and decides, without the keys that the track had from then on; in a track of its own where there
 /// is none. Until then, which is after 0, everything is as it was. Scales multiply those of other tracks. The
 /// target is gravity or a scale: colliders that are to move are added by addPerformer().
-void performKey(Scene& scene, const TargetName& target, double time, std::variant<double, Vec3> value);
+void performKey(Scene& scene, const TargetName& target, double time, TrackValue value);
+
+/// The value that performKey() has to be given for the scale of the target to be `total`, as other tracks
+/// multiply with it. Where those make nothing of any value, `total` itself.
+double performedScale(const Scene& scene, const TargetName& target, double time, double total);
 
 /// Adds an invisible collider that comes at the path's first time, goes along it, and is gone at its last: at
 /// least two keys in order of time, positions in cm. It is called by the prototype's name and a number that

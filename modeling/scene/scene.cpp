@@ -77,9 +77,7 @@ std::string TargetName::text() const {
 }
 
 bool TargetName::isVector() const {
-  using sim::TrackTarget;
-  return target == TrackTarget::gravity || target == TrackTarget::colliderPosition ||
-         target == TrackTarget::colliderRotation;
+  return sim::isVector(target);
 }
 
 }  // namespace modeling

@@ -40,14 +40,6 @@ bool sameKind(const Collider& left, const Collider& right) {
          left.dampingRatio == right.dampingRatio && left.friction == right.friction;
 }
 
-bool drives(const Track& track, TrackTarget target, std::uint32_t object) {
-  return track.target == target && track.object == object;
-}
-
-bool drivesCollider(const Track& track) {
-  return track.target == TrackTarget::colliderPosition || track.target == TrackTarget::colliderRotation;
-}
-
 }  // namespace
 
 Controls::Controls(const Network& network, Environment environment, std::vector<Track> tracks)
@@ -69,7 +61,7 @@ void Controls::replan(Environment environment, std::vector<Track> tracks) {
 Controls::Change Controls::moveTo(double time) {
   Change change;
   moveColliders(time, change);
-  const Vec3 gravity = gravityAt(time);
+  const Vec3 gravity = gravityAt(tracks_, environment_.gravity, time);
   change.gravity = gravity != gravity_;
   gravity_ = gravity;
   std::vector<MaterialNow> materials = materialsAt(time);
@@ -79,34 +71,15 @@ Controls::Change Controls::moveTo(double time) {
                                           left.dampingScale == right.dampingScale;
                                  });
   materials_ = std::move(materials);
-  constantUntil_ = constantFrom(time);
+  constantUntil_ = sim::constantUntil(tracks_, environment_.colliders, time);
   return change;
-}
-
-Vec3 Controls::gravityAt(double time) const {
-  Vec3 gravity = environment_.gravity;
-  double scale = 1.0;
-  bool given = false;
-  for (const Track& track : tracks_) {
-    if (track.target == TrackTarget::gravityScale) scale *= track.valueAt(time).x();
-    if (track.target != TrackTarget::gravity) continue;
-    if (!given || track.keys.front().time <= time) gravity = track.valueAt(time);
-    given = true;
-  }
-  return scale * gravity;
 }
 
 std::vector<MaterialNow> Controls::materialsAt(double time) const {
   std::vector<MaterialNow> materials = materials_;
-  for (MaterialNow& material : materials) material.stiffnessScale = material.dampingScale = 1.0;
-  for (const Track& track : tracks_) {
-    const bool stiffness = track.target == TrackTarget::stiffnessScale;
-    if (!stiffness && track.target != TrackTarget::dampingScale) continue;
-    double MaterialNow::*scale = stiffness ? &MaterialNow::stiffnessScale : &MaterialNow::dampingScale;
-    const double value = track.valueAt(time).x();
-    for (std::size_t m = 0; m < materials.size(); ++m) {
-      if (track.object == kNone || track.object == m) materials[m].*scale *= value;
-    }
+  for (std::uint32_t m = 0; m < materials.size(); ++m) {
+    materials[m].stiffnessScale = scaleAt(tracks_, TrackTarget::stiffnessScale, m, time);
+    materials[m].dampingScale = scaleAt(tracks_, TrackTarget::dampingScale, m, time);
   }
   return materials;
 }
@@ -116,35 +89,13 @@ void Controls::moveColliders(double time, Change& change) {
   for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
     moved_[c] = 0;
     if (!colliders_[c].active && !environment_.colliders[c].activeAt(time)) continue;
-    moveCollider(c, placeOf(c, time), change);
+    moveCollider(c, colliderAt(environment_.colliders[c], c, tracks_, time), change);
   }
 }
 
-Controls::Place Controls::placeOf(std::uint32_t c, double time) const {
-  const Collider& written = environment_.colliders[c];
-  Place place{{written, Vec3::Zero(), Vec3::Zero(), written.activeAt(time)}};
-  for (const Track& track : tracks_) {
-    if (drives(track, TrackTarget::colliderPosition, c)) {
-      place.at.shape.position = track.valueAt(time);
-      place.at.velocity = track.slopeAt(time);
-      place.glides = track.interpolation != Interpolation::step;
-    }
-    if (drives(track, TrackTarget::colliderRotation, c)) {
-      const Vec3 rotation = track.valueAt(time);
-      const double angle = rotation.norm();
-      const Vec3 axis = angle > 0.0 ? Vec3(rotation / angle) : Vec3(Vec3::UnitZ());
-      place.at.shape.rotation = Eigen::AngleAxisd(angle, axis) * written.rotation;
-      // Exact where the axis stays the same between keys, which is what keys of a turn are.
-      place.at.angularVelocity = track.slopeAt(time);
-      place.turns = track.interpolation != Interpolation::step;
-    }
-  }
-  return place;
-}
-
-void Controls::moveCollider(std::uint32_t c, const Place& place, Change& change) {
+void Controls::moveCollider(std::uint32_t c, const DrivenCollider& driven, Change& change) {
   MovingCollider& now = colliders_[c];
-  const MovingCollider before = std::exchange(now, place.at);
+  const MovingCollider before = std::exchange(now, driven.at);
   if (before.active != now.active) {
     change.colliders = true;
     moved_[c] = now.active ? 1 : 0;
@@ -155,7 +106,7 @@ void Controls::moveCollider(std::uint32_t c, const Place& place, Change& change)
   const double turn =
       turned ? before.shape.rotation.angularDistance(now.shape.rotation) * reachOf(now.shape) : 0.0;
   const bool another = !sameKind(before.shape, now.shape);
-  change.leap |= another || (shift > 0.0 && !place.glides) || (turn > 0.0 && !place.turns);
+  change.leap |= another || (shift > 0.0 && !driven.glides) || (turn > 0.0 && !driven.turns);
   change.colliders |= another;
   moved_[c] = shift > 0.0 || turn > 0.0 ? 1 : 0;
   change.motion |=
@@ -165,20 +116,6 @@ void Controls::moveCollider(std::uint32_t c, const Place& place, Change& change)
 
 bool Controls::anyMoved() const {
   return std::ranges::find(moved_, 1) != moved_.end();
-}
-
-double Controls::constantFrom(double time) const {
-  double until = std::numeric_limits<double>::infinity();
-  for (const Track& track : tracks_) {
-    if (!drivesCollider(track) || colliders_[track.object].active)
-      until = std::min(until, track.constantUntil(time));
-  }
-  for (const Collider& collider : environment_.colliders) {
-    for (const double change : {collider.activeFrom, collider.activeUntil}) {
-      if (time < change) until = std::min(until, change);
-    }
-  }
-  return until;
 }
 
 std::vector<MovingCollider> Controls::collidersAhead(double ahead) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/collider/moving_collider.h"
+#include "sim/control/driven.h"
 #include "sim/control/track.h"
 #include "sim/kernel/bond_kernel.h"
 #include "sim/network/network.h"
@@ -51,19 +52,9 @@ class Controls {
   double largestDampingScale() const;
 
  private:
-  /// Where a collider is to be.
-  struct Place {
-    MovingCollider at;
-    bool glides = false;  ///< a track moves it there; else it leaps
-    bool turns = false;   ///< likewise for its rotation
-  };
-
-  Vec3 gravityAt(double time) const;
   std::vector<MaterialNow> materialsAt(double time) const;
   void moveColliders(double time, Change& change);
-  Place placeOf(std::uint32_t collider, double time) const;
-  void moveCollider(std::uint32_t collider, const Place& place, Change& change);
-  double constantFrom(double time) const;
+  void moveCollider(std::uint32_t collider, const DrivenCollider& driven, Change& change);
 
   Environment environment_;
   std::vector<Track> tracks_;

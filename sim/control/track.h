@@ -9,16 +9,27 @@ namespace sim {
 
 enum class Interpolation { step, linear, smooth };
 
-/// What a track drives. Scales multiply the value built from the scene.
+/// What a track drives. Scales multiply the value built from the scene. What several tracks of one target
+/// make together is said in driven.h.
 enum class TrackTarget {
   gravityScale,      ///< scalar
-  gravity,           ///< vector, cm/s^2: replaces the environment's. Of several tracks the last one counts
-                     ///< whose first key has been reached, or else the first
+  gravity,           ///< vector, cm/s^2: replaces the environment's
   stiffnessScale,    ///< scalar: bond stiffness k of one material, or of all (object == kNone)
   dampingScale,      ///< scalar: bond damping d of one material, or of all
   colliderPosition,  ///< vector, cm: the collider's origin; its velocity is the track's slope
   colliderRotation,  ///< vector, radians: rotation vector about the collider's origin
 };
+
+constexpr bool drivesCollider(TrackTarget target) {
+  return target == TrackTarget::colliderPosition || target == TrackTarget::colliderRotation;
+}
+/// Whether it scales the bonds of one material, or of all.
+constexpr bool scalesMaterial(TrackTarget target) {
+  return target == TrackTarget::stiffnessScale || target == TrackTarget::dampingScale;
+}
+constexpr bool isVector(TrackTarget target) {
+  return target == TrackTarget::gravity || drivesCollider(target);
+}
 
 /// A value that varies in time (paper, "Control of flexible models"): constant before the first and after the
 /// last key. `step` holds a key's value until the next key; `smooth` eases with zero slope at both keys.

@@ -76,8 +76,7 @@ class Easel {
   void frame(const Eigen::AlignedBox3d& box) { camera_.frame(box, kSize); }
   std::uint64_t paint(const std::shared_ptr<const ui::DrawData>& data) {
     renderer_->show(data);
-    renderer_->paint(
-        {camera_, kSize, 1.0, target_->handle(), ui::Theme::instance().colours(), {}, {}, {}, {}});
+    renderer_->paint({camera_, kSize, 1.0, target_->handle(), ui::Theme::instance().colours(), {}});
     return renderer_->statistics().uploadedBytes;
   }
   void awaitCard() { context_.functions()->glFinish(); }

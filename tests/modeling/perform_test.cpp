@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "modeling/exchange/take_scene.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "tests/modeling/table_scene.h"

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "modeling/scene/perform.h"
 #include "tests/ui/window_scenes.h"
 
 namespace {
@@ -23,7 +24,8 @@ TEST_CASE("Values at a moment are those of all tracks together") {
   scene.tracks.back().interpolation = sim::Interpolation::step;
   CHECK(ui::liveValuesAt(scene, 0.5).stiffness == Approx(1.0));
   // For the whole to be 0.4, the track that is performed in has to undo what the other does.
-  CHECK(ui::performedScale(scene, TrackTarget::stiffnessScale, 0.5, 0.4) == Approx(0.2));
+  const modeling::TargetName stiffness{TrackTarget::stiffnessScale, {}};
+  CHECK(modeling::performedScale(scene, stiffness, 0.5, 0.4) == Approx(0.2));
   ui::setLiveValue(scene, TrackTarget::stiffnessScale, 0.5, 0.4);
   CHECK(ui::liveValuesAt(scene, 0.5).stiffness == Approx(0.4));
   add(TrackTarget::gravity, {{0.0, sim::Vec3(0.0, 0.0, -1.0)}});
@@ -42,8 +44,8 @@ TEST_CASE("A hiccup is five g whatever gravity is, and falls back to none where 
   scene.environment.gravity.setZero();
   const ui::LiveKeys weightless = ui::hiccup(scene, 0.0);
   CHECK(weightless.target.target == TrackTarget::gravity);
-  CHECK(ui::asVector(weightless.keys[0].value).z() == Approx(-5.0 * ui::kStandardGravity));
-  CHECK(ui::asVector(weightless.keys[1].value).norm() == 0.0);
+  CHECK(modeling::asVector(weightless.keys[0].value).z() == Approx(-5.0 * ui::kStandardGravity));
+  CHECK(modeling::asVector(weightless.keys[1].value).norm() == 0.0);
 }
 
 TEST_CASE("A second hiccup in the middle of the first one ends where the first would have ended") {

@@ -196,7 +196,7 @@ TEST_CASE("Keys are added by a double click and taken away by Delete") {
   ui::TrackRows& rows = fixture.timeline.rows();
   ui::Document& document = fixture.session.document();
   const Scene before = document.scene();
-  const QPoint place(qRound(fixture.timeline.bar().xOf(0.025)), ui::TrackRows::kRowHeight / 2);
+  const QPoint place(qRound(fixture.timeline.bar().xOf(0.025)), ui::TrackLayout::kRowHeight / 2);
   QTest::mouseDClick(&rows, Qt::LeftButton, {}, place);
   REQUIRE(document.scene().tracks[0].keys.size() == 3);
   // It lies on the curve: nothing moves otherwise.
@@ -248,12 +248,137 @@ TEST_CASE("The menu of a track says what is between its keys") {
       menu->close();
     });
     looks.start(5);
-    const QPoint at(100, ui::TrackRows::kRowHeight / 2);
+    const QPoint at(100, ui::TrackLayout::kRowHeight / 2);
     QContextMenuEvent asks(QContextMenuEvent::Mouse, at, rows.mapToGlobal(at));
     QApplication::sendEvent(&rows, &asks);
     CHECK(fixture.session.document().scene().tracks[0].interpolation == interpolation);
   }
   CHECK(fixture.session.document().undoStack().count() == 3);
+}
+
+/// Three tracks that drive different things, with keys at different times.
+Scene sceneWithThreeTracks() {
+  Scene scene = sceneWithTrack();
+  for (const sim::TrackTarget target : {sim::TrackTarget::dampingScale, sim::TrackTarget::gravityScale}) {
+    modeling::SceneTrack track;
+    track.target = {target, {}};
+    track.keys = {{0.0, 1.0}, {0.02, 1.5}, {0.05, 2.0}};
+    scene.tracks.push_back(track);
+  }
+  return scene;
+}
+
+void removeTrack(ui::Document& document, std::size_t track) {
+  document.edit("Remove", [track](Scene& scene) {
+    scene.tracks.erase(scene.tracks.begin() + static_cast<std::ptrdiff_t>(track));
+  });
+}
+
+TEST_CASE("A key that goes while the mouse holds it is let go") {
+  TimelineFixture fixture(sceneWithThreeTracks());
+  ui::TrackRows& rows = fixture.timeline.rows();
+  ui::Document& document = fixture.session.document();
+  const QPoint at = rows.pointOf({2, 2}).toPoint();
+  QTest::mousePress(&rows, Qt::LeftButton, {}, at);
+  QTest::mouseMove(&rows, at + QPoint(20, 0));
+  REQUIRE(document.scene().tracks[2].keys[2].time > 0.05);
+  SECTION("by the removal of its track") {
+    removeTrack(document, 2);
+  }
+  SECTION("by an undo of all that made it") {
+    document.edit("None", [](Scene& scene) { scene.tracks.clear(); });
+  }
+  SECTION("by the removal of another key of its track") {
+    document.edit("Remove Key", [](Scene& scene) { modeling::removeKey(scene, 2, 0); });
+  }
+  SECTION("by another scene") {
+    document.reset(sceneWithThreeTracks(), {});
+  }
+  const Scene left = document.scene();
+  QTest::mouseMove(&rows, at + QPoint(60, 10));
+  QTest::keyClick(&rows, Qt::Key_Escape);
+  QTest::mouseRelease(&rows, Qt::LeftButton, {}, at + QPoint(60, 10));
+  rows.repaint();
+  CHECK(document.scene() == left);
+}
+
+TEST_CASE("A key that is held stays in the hand while other tracks come and go") {
+  TimelineFixture fixture(sceneWithThreeTracks());
+  ui::TrackRows& rows = fixture.timeline.rows();
+  ui::Document& document = fixture.session.document();
+  const QPoint at = rows.pointOf({2, 2}).toPoint();
+  QTest::mousePress(&rows, Qt::LeftButton, {}, at);
+  removeTrack(document, 0);
+  const modeling::SceneTrack other = document.scene().tracks[0];
+  QTest::mouseMove(&rows, at + QPoint(30, 0));
+  QTest::mouseRelease(&rows, Qt::LeftButton, {}, at + QPoint(30, 0));
+  CHECK(document.scene().tracks[0] == other);
+  CHECK(document.scene().tracks[1].keys[2].time > 0.05);
+}
+
+TEST_CASE("What is selected and open stays with its track and key") {
+  TimelineFixture fixture(sceneWithThreeTracks());
+  ui::TrackRows& rows = fixture.timeline.rows();
+  ui::Document& document = fixture.session.document();
+  rows.setExpanded(2, true);
+  QTest::mouseClick(&rows, Qt::LeftButton, {}, rows.pointOf({2, 1}).toPoint());
+  REQUIRE(rows.selectedKey() == ui::KeyPlace{2, 1});
+  removeTrack(document, 1);
+  CHECK(rows.selectedKey() == ui::KeyPlace{1, 1});
+  CHECK(rows.isExpanded(1));
+  CHECK_FALSE(rows.isExpanded(2));
+  document.edit("Add", [](Scene& scene) { modeling::addKey(scene.tracks[1], 0.01, 1.0); });
+  CHECK(rows.selectedKey() == ui::KeyPlace{1, 2});
+  document.edit("Remove", [](Scene& scene) { modeling::removeKey(scene, 1, 2); });
+  CHECK_FALSE(rows.selectedKey());
+  document.undoStack().undo();
+  CHECK_FALSE(rows.selectedKey());
+}
+
+TEST_CASE("Fields beside a key stay with it, and go when it goes") {
+  TimelineFixture fixture(sceneWithThreeTracks());
+  ui::TrackRows& rows = fixture.timeline.rows();
+  ui::Document& document = fixture.session.document();
+  QTest::mouseDClick(&rows, Qt::LeftButton, {}, rows.pointOf({2, 1}).toPoint());
+  QPointer<ui::KeyPopup> popup = rows.findChild<ui::KeyPopup*>();
+  REQUIRE(popup);
+  const QList<QDoubleSpinBox*> fields = popup->findChildren<QDoubleSpinBox*>();
+  removeTrack(document, 0);
+  REQUIRE(popup->isVisible());
+  SECTION("another track is gone") {
+    fields[1]->setValue(7.0);
+    QTest::keyClick(fields[1], Qt::Key_Return);
+    CHECK(std::get<double>(document.scene().tracks[1].keys[1].value) == 7.0);
+  }
+  SECTION("its own track is gone") {
+    removeTrack(document, 1);
+    CHECK((!popup || !popup->isVisible()));
+    const Scene left = document.scene();
+    if (popup) QTest::keyClick(fields[1], Qt::Key_Return);
+    CHECK(document.scene() == left);
+  }
+}
+
+TEST_CASE("The menu of a track closes when its track goes while it is open") {
+  TimelineFixture fixture(sceneWithThreeTracks());
+  ui::TrackRows& rows = fixture.timeline.rows();
+  ui::Document& document = fixture.session.document();
+  QTest::mouseClick(&rows, Qt::LeftButton, {}, rows.pointOf({2, 2}).toPoint());
+  bool closed = false;
+  QTimer removes;
+  QObject::connect(&removes, &QTimer::timeout, [&] {
+    QWidget* menu = QApplication::activePopupWidget();
+    if (menu == nullptr) return;
+    removes.stop();
+    document.edit("None", [](Scene& scene) { scene.tracks.clear(); });
+    closed = !menu->isVisible();
+    menu->close();
+  });
+  removes.start(5);
+  const QPoint at = rows.pointOf({2, 2}).toPoint();
+  QContextMenuEvent asks(QContextMenuEvent::Mouse, at, rows.mapToGlobal(at));
+  QApplication::sendEvent(&rows, &asks);
+  CHECK(closed);
 }
 
 TEST_CASE("Frames of a scene that has been changed since are hatched") {
@@ -280,32 +405,32 @@ TEST_CASE("Frames of a scene that has been changed since are hatched") {
 TEST_CASE("A key stays between its neighbours, and the last one takes its track along") {
   Scene scene = sceneWithTrack();
   modeling::SceneTrack& track = scene.tracks[0];
-  ui::addKey(track, 0.02, 5.0);
-  ui::moveKey(track, 1, 7.0);
+  modeling::addKey(track, 0.02, 5.0);
+  modeling::moveKey(track, 1, 7.0);
   CHECK(track.keys[1].time < track.keys[2].time);
-  ui::moveKey(track, 1, -7.0);
+  modeling::moveKey(track, 1, -7.0);
   CHECK(track.keys[1].time > track.keys[0].time);
   CHECK(modeling::checkScene(scene));
-  ui::removeKey(scene, 0, 0);
-  ui::removeKey(scene, 0, 0);
+  modeling::removeKey(scene, 0, 0);
+  modeling::removeKey(scene, 0, 0);
   CHECK(scene.tracks[0].keys.size() == 1);
-  ui::removeKey(scene, 0, 0);
+  modeling::removeKey(scene, 0, 0);
   CHECK(scene.tracks.empty());
 }
 
 TEST_CASE("A new track changes nothing about the motion's values") {
   Scene scene = tests::fallingSlab();
   scene.environment.colliders[0].position = sim::Vec3(1.0, 2.0, 3.0);
-  for (const modeling::TargetName& target : ui::targetsOf(scene)) {
-    const std::size_t track = ui::addTrack(scene, target);
+  for (const modeling::TargetName& target : modeling::targetsOf(scene)) {
+    const std::size_t track = modeling::addTrack(scene, target);
     CHECK(scene.tracks[track].target == target);
   }
   REQUIRE(modeling::checkScene(scene));
   for (const modeling::SceneTrack& track : scene.tracks) {
     if (track.target.target == sim::TrackTarget::gravity)
-      CHECK(ui::asVector(track.keys[0].value) == scene.environment.gravity);
+      CHECK(modeling::asVector(track.keys[0].value) == scene.environment.gravity);
     if (track.target.target == sim::TrackTarget::colliderPosition)
-      CHECK(ui::asVector(track.keys[0].value) == sim::Vec3(1.0, 2.0, 3.0));
+      CHECK(modeling::asVector(track.keys[0].value) == sim::Vec3(1.0, 2.0, 3.0));
     if (!track.target.isVector()) CHECK(std::get<double>(track.keys[0].value) == 1.0);
   }
 }

@@ -48,7 +48,7 @@ class Easel {
   }
 
   ui::PictureFrame frame() const {
-    return {camera_, kSize, 1.0, target_->handle(), ui::Theme::instance().colours(), {}, {}, {}, {}};
+    return {camera_, kSize, 1.0, target_->handle(), ui::Theme::instance().colours(), {}};
   }
   ui::ViewportRenderer& renderer() { return *renderer_; }
   const ui::ViewCamera& camera() const { return camera_; }
@@ -143,7 +143,7 @@ TEST_CASE("Both themes and the outline of what is selected look as they did") {
   ui::DrawMaker maker;
   easel.renderer().show(prepared(maker, examples::brokenBlock(), {}));
   ui::PictureFrame frame = easel.frame();
-  frame.outlinedParts = {0};
+  frame.marked.outlinedParts = {0};
   compareWithStored(easel.paint(frame), "outline");
   ui::Theme::instance().apply(ui::ThemeKind::light);
   const QImage light = easel.paint(easel.frame());

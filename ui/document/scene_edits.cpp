@@ -29,14 +29,9 @@ void setContained(Names& names, const std::string& name, bool contained) {
   if (contained) names.push_back(name);
 }
 
-bool drivesCollider(const modeling::TargetName& target) {
-  return target.target == sim::TrackTarget::colliderPosition ||
-         target.target == sim::TrackTarget::colliderRotation;
-}
-
 /// Tracks of materials or of colliders that name this one.
 bool drives(const modeling::SceneTrack& track, ItemKind kind, const std::string& name) {
-  return track.target.object == name && drivesCollider(track.target) == (kind == ItemKind::collider);
+  return track.target.object == name && sim::drivesCollider(track.target.target) == (kind == ItemKind::collider);
 }
 
 std::string* nameIn(Scene& scene, const Item& item) {
@@ -198,7 +193,7 @@ void remove(Scene& scene, std::span<const Item> items) {
     return contains(parts, gluing.a) || contains(parts, gluing.b);
   });
   std::erase_if(scene.tracks, [&](const modeling::SceneTrack& track) {
-    return contains(drivesCollider(track.target) ? colliders : materials, track.target.object);
+    return contains(sim::drivesCollider(track.target.target) ? colliders : materials, track.target.object);
   });
   for (const Names* gone : {&parts, &colliders}) {
     for (const std::string& name : *gone) forgetInView(scene, name);

@@ -30,4 +30,18 @@ QString titleOf(const modeling::TargetName& target) {
   return {};
 }
 
+QString unitText(modeling::TrackUnit unit) {
+  switch (unit) {
+    case modeling::TrackUnit::acceleration:
+      return tr("cm/s\u00b2");
+    case modeling::TrackUnit::length:
+      return tr("cm");
+    case modeling::TrackUnit::degrees:
+      return tr("\u00b0");
+    case modeling::TrackUnit::factor:
+      break;
+  }
+  return QStringLiteral("\u00d7");
+}
+
 }  // namespace ui

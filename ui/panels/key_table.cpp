@@ -14,35 +14,32 @@ namespace {
 
 constexpr int kRemoveColumn = 4;
 
-Dimension dimensionOf(const modeling::TargetName& target) {
-  switch (target.target) {
-    case sim::TrackTarget::gravity:
+Dimension dimensionOf(modeling::TrackUnit unit) {
+  switch (unit) {
+    case modeling::TrackUnit::acceleration:
       return Dimension::acceleration;
-    case sim::TrackTarget::colliderPosition:
+    case modeling::TrackUnit::length:
       return Dimension::length;
-    case sim::TrackTarget::colliderRotation:
+    case modeling::TrackUnit::degrees:
       return Dimension::degrees;
-    default:
-      return Dimension::number;
+    case modeling::TrackUnit::factor:
+      break;
   }
+  return Dimension::number;
 }
 
-double stepOf(const modeling::TargetName& target) {
-  switch (target.target) {
-    case sim::TrackTarget::gravity:
+double stepOf(modeling::TrackUnit unit) {
+  switch (unit) {
+    case modeling::TrackUnit::acceleration:
       return 50.0;
-    case sim::TrackTarget::colliderRotation:
+    case modeling::TrackUnit::degrees:
       return 5.0;
-    case sim::TrackTarget::colliderPosition:
+    case modeling::TrackUnit::length:
       return 0.5;
-    default:
-      return 0.1;
+    case modeling::TrackUnit::factor:
+      break;
   }
-}
-
-double componentOf(const modeling::SceneTrackKey& key, std::size_t component) {
-  if (const auto* number = std::get_if<double>(&key.value)) return *number;
-  return std::get<sim::Vec3>(key.value)[static_cast<Eigen::Index>(component)];
+  return 0.1;
 }
 
 }  // namespace
@@ -71,19 +68,19 @@ void KeyTable::clearRows() {
 }
 
 void KeyTable::show(const modeling::SceneTrack& track) {
-  if (track.target != target_ || rows_.empty() || rows_.size() > track.keys.size()) clearRows();
-  keys_ = track.keys;
-  target_ = track.target;
+  if (track.target != track_.target || rows_.empty() || rows_.size() > track.keys.size()) clearRows();
+  track_ = track;
   if (rows_.empty()) {
     grid_->addWidget(new QLabel(tr("Time"), this), 0, 0);
     grid_->addWidget(new QLabel(tr("Value"), this), 0, 1);
   }
-  while (rows_.size() < keys_.size()) addRow();
+  while (rows_.size() < track_.keys.size()) addRow();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows_[i].time->setValue(keys_[i].time);
+    rows_[i].time->setValue(track_.keys[i].time);
+    const sim::Vec3 value = modeling::asVector(track_.keys[i].value);
     for (std::size_t c = 0; c < rows_[i].values.size(); ++c)
-      rows_[i].values[c]->setValue(componentOf(keys_[i], c));
-    rows_[i].remove->setEnabled(keys_.size() > 1);
+      rows_[i].values[c]->setValue(value[static_cast<Eigen::Index>(c)]);
+    rows_[i].remove->setEnabled(track_.keys.size() > 1);
   }
 }
 
@@ -101,11 +98,12 @@ void KeyTable::addRow() {
     if (value) takeTime(index, *value, finished);
   });
   NumberFormat format;
-  format.dimension = dimensionOf(target_);
-  format.step = stepOf(target_);
-  format.unitShown = !target_.isVector();
-  if (!target_.isVector() && target_.target != sim::TrackTarget::gravityScale) format.least = 0.0;
-  const std::size_t components = target_.isVector() ? 3 : 1;
+  const modeling::TrackUnit unit = unitOf(track_.target);
+  format.dimension = dimensionOf(unit);
+  format.step = stepOf(unit);
+  format.unitShown = !track_.target.isVector();
+  format.least = std::max(format.least, leastOf(track_.target));
+  const std::size_t components = componentsOf(track_.target);
   for (std::size_t c = 0; c < components; ++c) {
     auto* field = new NumberField(format, this);
     grid_->addWidget(field, line, static_cast<int>(c) + 1, 1, components == 1 ? 3 : 1);
@@ -119,37 +117,31 @@ void KeyTable::addRow() {
   row.remove->setToolTip(tr("Remove this key"));
   grid_->addWidget(row.remove, line, kRemoveColumn);
   connect(row.remove, &QToolButton::clicked, this, [this, index] {
-    keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(index));
-    emit edited(keys_, true);
+    track_.keys.erase(track_.keys.begin() + static_cast<std::ptrdiff_t>(index));
+    emit edited(track_.keys, true);
   });
   rows_.push_back(std::move(row));
 }
 
 void KeyTable::takeTime(std::size_t row, double time, bool finished) {
-  // Between its neighbours: keys that pass each other would change places under the hand.
-  constexpr double kApart = 1e-4;
-  if (row > 0) time = std::max(time, keys_[row - 1].time + kApart);
-  if (row + 1 < keys_.size()) time = std::min(time, keys_[row + 1].time - kApart);
-  keys_[row].time = time;
-  emit edited(keys_, finished);
-  rows_[row].time->setValue(time);
+  moveKey(track_, row, time);
+  emit edited(track_.keys, finished);
+  rows_[row].time->setValue(track_.keys[row].time);
 }
 
 void KeyTable::takeValue(std::size_t row, std::size_t component, double value, bool finished) {
-  if (auto* number = std::get_if<double>(&keys_[row].value)) {
-    *number = value;
-  } else {
-    std::get<sim::Vec3>(keys_[row].value)[static_cast<Eigen::Index>(component)] = value;
-  }
-  emit edited(keys_, finished);
+  sim::Vec3 changed = modeling::asVector(track_.keys[row].value);
+  changed[static_cast<Eigen::Index>(component)] = value;
+  track_.keys[row].value = asValue(track_.target, changed);
+  emit edited(track_.keys, finished);
 }
 
 void KeyTable::addKey() {
-  modeling::SceneTrackKey key;
-  if (!keys_.empty()) key = keys_.back();
-  if (!keys_.empty()) key.time += 0.1;
-  keys_.push_back(key);
-  emit edited(keys_, true);
+  constexpr double kAfterLast = 0.1;  // s
+  if (track_.keys.empty()) return;
+  const modeling::SceneTrackKey last = track_.keys.back();
+  modeling::addKey(track_, last.time + kAfterLast, last.value);
+  emit edited(track_.keys, true);
 }
 
 }  // namespace ui

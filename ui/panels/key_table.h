@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/tracks.h"
 
 class QGridLayout;
 class QToolButton;
@@ -36,8 +36,7 @@ class KeyTable : public QWidget {
   void takeValue(std::size_t row, std::size_t component, double value, bool finished);
   void addKey();
 
-  std::vector<modeling::SceneTrackKey> keys_;
-  modeling::TargetName target_;
+  modeling::SceneTrack track_;  ///< as shown and changed
   std::vector<Row> rows_;
   QGridLayout* grid_;
 };

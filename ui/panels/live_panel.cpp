@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "modeling/scene/perform.h"
+#include "ui/document/track_titles.h"
 #include "ui/panels/direction_pad.h"
 #include "ui/panels/live_slider.h"
 #include "ui/session/session.h"
@@ -278,19 +280,20 @@ void LivePanel::showEvent(QShowEvent* event) {
 }
 
 /// The value goes out with the next picture; those that were passed in between nobody sees.
-void LivePanel::change(TrackTarget target, const TrackValue& value) {
+void LivePanel::change(TrackTarget target, const modeling::TrackValue& value) {
   pendingChange_ = [this, target, value] {
+    const modeling::TargetName all{target, {}};
     const double time = presentTime();
     if (!session_.hasRun()) {
       session_.document().edit(
-          titleOf({target, {}}), [&](modeling::Scene& scene) { setLiveValue(scene, target, time, value); },
+          titleOf(all), [&](modeling::Scene& scene) { setLiveValue(scene, target, time, value); },
           QStringLiteral("live %1").arg(static_cast<int>(target)));
       return;
     }
-    TrackValue written = value;
+    modeling::TrackValue written = value;
     if (target != TrackTarget::gravity)
-      written = performedScale(presentScene(), target, time, std::get<double>(value));
-    session_.perform({target, {}}, {{0.0, written}});
+      written = modeling::performedScale(presentScene(), all, time, std::get<double>(value));
+    session_.perform(all, {{0.0, written}});
   };
   if (!changeTimer_.isActive()) changeTimer_.start();
 }

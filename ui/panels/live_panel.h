@@ -53,7 +53,7 @@ class LivePanel : public QWidget {
   void beginRun();
   const modeling::Scene& presentScene() const;
   double presentTime() const;
-  void change(sim::TrackTarget target, const TrackValue& value);
+  void change(sim::TrackTarget target, const modeling::TrackValue& value);
   void sendChange();
   void endChange();
   void changeGravity();

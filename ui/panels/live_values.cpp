@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeling/scene/perform.h"
+
 namespace ui {
 namespace {
 
 using modeling::Scene;
 using modeling::SceneTrack;
+using modeling::TrackValue;
 using sim::TrackTarget;
 
 /// As the paper has them, in seconds and in times.
@@ -24,27 +27,6 @@ constexpr double kBallSpeed = 500.0;
 /// Radius over the distance of the nearest node: it is hit, and pushed rather than brushed.
 constexpr double kReachOfNode = 1.5;
 
-bool drivesAll(const SceneTrack& track, TrackTarget target) {
-  return track.target.target == target && track.target.object.empty();
-}
-
-double productOf(const Scene& scene, TrackTarget target, double time, const SceneTrack* except) {
-  double product = 1.0;
-  for (const SceneTrack& track : scene.tracks) {
-    if (drivesAll(track, target) && &track != except) product *= asVector(valueAt(track, time)).x();
-  }
-  return product;
-}
-
-sim::Vec3 gravityAt(const Scene& scene, double time) {
-  const SceneTrack* counts = nullptr;
-  for (const SceneTrack& track : scene.tracks) {
-    if (!drivesAll(track, TrackTarget::gravity)) continue;
-    if (counts == nullptr || track.keys.front().time <= time) counts = &track;
-  }
-  return counts == nullptr ? scene.environment.gravity : asVector(valueAt(*counts, time));
-}
-
 LiveTouch sphere(const std::string& name, double radius) {
   LiveTouch touch;
   touch.collider.name = name;
@@ -57,42 +39,31 @@ LiveTouch sphere(const std::string& name, double radius) {
 
 LiveValues liveValuesAt(const Scene& scene, double time) {
   LiveValues values;
-  values.gravity = gravityAt(scene, time);
-  values.gravityScale = productOf(scene, TrackTarget::gravityScale, time, nullptr);
-  values.stiffness = productOf(scene, TrackTarget::stiffnessScale, time, nullptr);
-  values.damping = productOf(scene, TrackTarget::dampingScale, time, nullptr);
+  values.gravity = modeling::unscaledGravityAt(scene, time);
+  values.gravityScale = scaleAt(scene, {TrackTarget::gravityScale, {}}, time);
+  values.stiffness = scaleAt(scene, {TrackTarget::stiffnessScale, {}}, time);
+  values.damping = scaleAt(scene, {TrackTarget::dampingScale, {}}, time);
   return values;
 }
 
-double performedScale(const Scene& scene, TrackTarget target, double time, double total) {
-  const auto performed =
-      std::find_if(scene.tracks.rbegin(), scene.tracks.rend(), [&](const SceneTrack& track) {
-        return drivesAll(track, target) && track.interpolation == sim::Interpolation::step;
-      });
-  const SceneTrack* except = performed == scene.tracks.rend() ? nullptr : &*performed;
-  const double others = productOf(scene, target, time, except);
-  return others == 0.0 ? total : total / others;
-}
-
 void setLiveValue(Scene& scene, TrackTarget target, double time, const TrackValue& value) {
+  const modeling::TargetName all{target, {}};
   const auto last = std::find_if(scene.tracks.rbegin(), scene.tracks.rend(),
-                                 [&](const SceneTrack& track) { return drivesAll(track, target); });
+                                 [&](const SceneTrack& track) { return track.target == all; });
   if (last == scene.tracks.rend()) {
     if (target == TrackTarget::gravity) {
-      scene.environment.gravity = asVector(value);
+      scene.environment.gravity = modeling::asVector(value);
       return;
     }
-    SceneTrack track;
-    track.target.target = target;
-    track.interpolation = sim::Interpolation::step;
-    track.keys.push_back({0.0, value});
-    scene.tracks.push_back(std::move(track));
+    SceneTrack& added = scene.tracks[addTrack(scene, all)];
+    added.interpolation = sim::Interpolation::step;
+    added.keys.front().value = value;
     return;
   }
   TrackValue written = value;
-  if (!last->target.isVector()) {
-    const double others = productOf(scene, target, time, &*last);
-    if (others != 0.0) written = asVector(value).x() / others;
+  if (!all.isVector()) {
+    const double others = scaleWithoutAt(scene, *last, time);
+    if (others != 0.0) written = std::get<double>(value) / others;
   }
   if (last->keys.size() == 1) {
     last->keys.front().value = written;
@@ -104,25 +75,26 @@ void setLiveValue(Scene& scene, TrackTarget target, double time, const TrackValu
 /// Back to what it will be by then without this: another hiccup may be under way.
 LiveKeys hiccup(const Scene& scene, double time) {
   const double end = time + kHiccupSeconds;
-  const double strength = gravityAt(scene, time).norm();
+  const double strength = modeling::unscaledGravityAt(scene, time).norm();
   if (strength < 1e-6 * kStandardGravity) {
     // Nothing to multiply: it jumps down, and back to nothing.
     const sim::Vec3 down(0.0, 0.0, -kHiccupGravity * kStandardGravity);
-    return {{TrackTarget::gravity, {}}, {{0.0, down}, {kHiccupSeconds, gravityAt(scene, end)}}};
+    return {{TrackTarget::gravity, {}},
+            {{0.0, down}, {kHiccupSeconds, modeling::unscaledGravityAt(scene, end)}}};
   }
-  const TrackTarget target = TrackTarget::gravityScale;
+  const modeling::TargetName target{TrackTarget::gravityScale, {}};
   const double jump = performedScale(scene, target, time, kHiccupGravity * kStandardGravity / strength);
-  const double back = performedScale(scene, target, end, liveValuesAt(scene, end).gravityScale);
-  return {{target, {}}, {{0.0, jump}, {kHiccupSeconds, back}}};
+  const double back = performedScale(scene, target, end, scaleAt(scene, target, end));
+  return {target, {{0.0, jump}, {kHiccupSeconds, back}}};
 }
 
 LiveKeys sneeze(const Scene& scene, double time) {
   const double end = time + kSneezeSeconds;
-  const TrackTarget target = TrackTarget::stiffnessScale;
-  const double usual = liveValuesAt(scene, end).stiffness;
+  const modeling::TargetName target{TrackTarget::stiffnessScale, {}};
+  const double usual = scaleAt(scene, target, end);
   const double soft = performedScale(scene, target, time, kSneezeSoftness * usual);
   const double back = performedScale(scene, target, end, usual);
-  return {{target, {}}, {{0.0, soft}, {kSneezeSeconds, back}}};
+  return {target, {{0.0, soft}, {kSneezeSeconds, back}}};
 }
 
 LiveTouch poke(const sim::Vec3& point, const sim::Vec3& direction, const TouchedSize& size) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "modeling/scene/scene.h"
-#include "ui/timeline/track_edits.h"
+#include "modeling/scene/tracks.h"
 
 /// What a person changes while it runs, and how it is said in keys.
 namespace ui {
@@ -16,12 +15,9 @@ struct LiveValues {
 
 LiveValues liveValuesAt(const modeling::Scene& scene, double time);
 
-/// What the track has to say that modeling::performKey() changes, so that the scale of the target is `total`:
-/// other tracks of the same target multiply with it.
-double performedScale(const modeling::Scene& scene, sim::TrackTarget target, double time, double total);
-
 /// Without a run: from this time on, or for all times where nothing varies in it, the scene has this value.
-void setLiveValue(modeling::Scene& scene, sim::TrackTarget target, double time, const TrackValue& value);
+void setLiveValue(modeling::Scene& scene, sim::TrackTarget target, double time,
+                  const modeling::TrackValue& value);
 
 /// Keys of one target; times count from now.
 struct LiveKeys {

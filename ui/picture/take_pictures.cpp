@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "modeling/exchange/take_scene.h"
+#include "modeling/scene/tracks.h"
 #include "sim/surface/level_surface.h"
 
 namespace ui {

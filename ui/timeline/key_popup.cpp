@@ -6,24 +6,25 @@
 #include <algorithm>
 
 #include "ui/document/document.h"
+#include "ui/document/track_titles.h"
 #include "ui/theme/theme.h"
 
 namespace ui {
 
-KeyPopup::KeyPopup(Document& document, std::size_t track, std::size_t key, QWidget* parent)
-    : QFrame(parent, Qt::Popup), document_(document), track_(track), key_(key) {
+KeyPopup::KeyPopup(Document& document, const KeyPlace& place, QWidget* parent)
+    : QFrame(parent, Qt::Popup), document_(document), known_(document.scene().tracks), place_(place) {
   setObjectName(QStringLiteral("keyPopup"));
   setAttribute(Qt::WA_DeleteOnClose);
   setFrameShape(QFrame::StyledPanel);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(10, 10, 10, 10);
   form->setSpacing(6);
-  const modeling::SceneTrack& found = document_.scene().tracks.at(track_);
-  const modeling::SceneTrackKey& shown = found.keys.at(key_);
+  const modeling::SceneTrack& found = known_.at(place_.track);
+  const modeling::SceneTrackKey& shown = found.keys.at(place_.key);
   time_ = addField(tr("Time"), shown.time, tr(" s"), 5);
   time_->setMinimum(0.0);
-  const sim::Vec3 value = asVector(shown.value);
-  const QString unit = QStringLiteral(" ") + unitOf(found.target);
+  const sim::Vec3 value = modeling::asVector(shown.value);
+  const QString unit = QStringLiteral(" ") + unitText(unitOf(found.target));
   const QString names[] = {tr("X"), tr("Y"), tr("Z")};
   for (std::size_t c = 0; c < componentsOf(found.target); ++c) {
     const bool single = !found.target.isVector();
@@ -32,6 +33,19 @@ KeyPopup::KeyPopup(Document& document, std::size_t track, std::size_t key, QWidg
     field->setMinimum(std::max(field->minimum(), leastOf(found.target)));
     values_.push_back(field);
   }
+  connect(&document_, &Document::sceneChanged, this, &KeyPopup::followKey);
+}
+
+void KeyPopup::followKey() {
+  const std::optional<KeyPlace> place = followedKey(known_, document_.scene().tracks, place_);
+  known_ = document_.scene().tracks;
+  if (!place) {
+    close();
+    // Until it is deleted, nothing is to be typed into another key.
+    disconnect(&document_, nullptr, this, nullptr);
+    return;
+  }
+  place_ = *place;
 }
 
 QDoubleSpinBox* KeyPopup::addField(const QString& name, double value, const QString& unit, int decimals) {
@@ -58,15 +72,16 @@ void KeyPopup::open(const QPoint& globalPosition) {
 
 void KeyPopup::apply() {
   document_.edit(tr("Change Key"), [&](modeling::Scene& scene) {
-    modeling::SceneTrack& edited = scene.tracks.at(track_);
-    sim::Vec3 value = asVector(edited.keys.at(key_).value);
+    modeling::SceneTrack& edited = scene.tracks.at(place_.track);
+    modeling::SceneTrackKey& key = edited.keys.at(place_.key);
+    sim::Vec3 value = modeling::asVector(key.value);
     for (std::size_t c = 0; c < values_.size(); ++c) {
       // A number nobody touched keeps the digits that are not shown.
       double& component = value[static_cast<Eigen::Index>(c)];
       if (qAbs(values_[c]->value() - component) > 0.5e-4) component = values_[c]->value();
     }
-    edited.keys.at(key_).value = asValue(edited.target, value);
-    if (qAbs(time_->value() - edited.keys[key_].time) > 0.5e-5) moveKey(edited, key_, time_->value());
+    key.value = asValue(edited.target, value);
+    if (qAbs(time_->value() - key.time) > 0.5e-5) moveKey(edited, place_.key, time_->value());
   });
 }
 

@@ -3,7 +3,7 @@
 #include <QFrame>
 #include <vector>
 
-#include "ui/timeline/track_edits.h"
+#include "ui/timeline/track_following.h"
 
 class QDoubleSpinBox;
 
@@ -12,12 +12,12 @@ namespace ui {
 class Document;
 
 /// Fields beside a key, into which its time and value are typed. Goes away when one clicks elsewhere, by
-/// Enter and by Esc, which leaves the key as it was.
+/// Enter, by Esc, which leaves the key as it was, and when the key goes.
 class KeyPopup : public QFrame {
   Q_OBJECT
 
  public:
-  KeyPopup(Document& document, std::size_t track, std::size_t key, QWidget* parent);
+  KeyPopup(Document& document, const KeyPlace& place, QWidget* parent);
 
   void open(const QPoint& globalPosition);
 
@@ -27,10 +27,11 @@ class KeyPopup : public QFrame {
  private:
   QDoubleSpinBox* addField(const QString& name, double value, const QString& unit, int decimals);
   void apply();
+  void followKey();
 
   Document& document_;
-  std::size_t track_;
-  std::size_t key_;
+  Tracks known_;  ///< those that the place is in
+  KeyPlace place_;
   QDoubleSpinBox* time_ = nullptr;
   std::vector<QDoubleSpinBox*> values_;
 };

@@ -1,9 +1,9 @@
 #include "ui/timeline/time_bar.h"
 
-#include <QFontMetricsF>
 #include <QHelpEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QToolTip>
 #include <cmath>
 
@@ -12,6 +12,7 @@
 #include "ui/timeline/play_actions.h"
 #include "ui/timeline/scene_difference.h"
 #include "ui/timeline/time_axis.h"
+#include "ui/timeline/time_bar_painting.h"
 #include "ui/timeline/time_painting.h"
 
 namespace ui {
@@ -66,6 +67,32 @@ double TimeBar::tickHeight(std::uint32_t breaks, std::uint32_t mostBreaks) {
   if (breaks == 0) return 0.0;
   const double most = std::log1p(static_cast<double>(std::max(mostBreaks, breaks)));
   return 0.15 + 0.85 * std::log1p(static_cast<double>(breaks)) / most;
+}
+
+void TimeBar::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  paintTimeBar(painter, picture(), event->rect());
+  if (!feed_.notes().empty()) shownEnd_ = xOf(feed_.notes().back().time);
+}
+
+TimeBarPicture TimeBar::picture() const {
+  const std::optional<std::size_t> current = session_.takes().current();
+  const Take* take = current ? &session_.takes()[*current] : nullptr;
+  const std::vector<FrameNote>& notes = feed_.notes();
+  return {axis_,
+          notes,
+          breaks_,
+          feed_.mostBreaks(),
+          take != nullptr ? take->name : tr("No take yet"),
+          take != nullptr ? tr("%1 frames, %2 s").arg(notes.size()).arg(take->footage->duration(), 0, 'f', 3)
+                          : tr("Space simulates"),
+          take != nullptr && take->stale,
+          session_.document().scene().parts.empty(),
+          session_.playback().loopRange(),
+          session_.playback().loops(),
+          shownCursor_,
+          size(),
+          font()};
 }
 
 void TimeBar::resizeEvent(QResizeEvent*) {

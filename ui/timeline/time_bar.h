@@ -11,6 +11,7 @@ class NoteFeed;
 class PlayActions;
 class Session;
 class TimeAxis;
+struct TimeBarPicture;
 
 /// The ruler and the take under it: what is recorded, where bonds broke, the loop range, and the cursor,
 /// which follows the pointer while the left button is down.
@@ -48,14 +49,7 @@ class TimeBar : public QWidget {
  private:
   enum class Drag { none, scrub, pan, loopFrom, loopTo, loopNew };
 
-  void paintHeader(QPainter& painter);
-  void paintRuler(QPainter& painter, const QRect& dirty);
-  void paintLoop(QPainter& painter);
-  void paintFilm(QPainter& painter);
-  void paintStale(QPainter& painter, const QRectF& film);
-  void paintTicks(QPainter& painter, const QRect& dirty);
-  void paintCursor(QPainter& painter);
-
+  TimeBarPicture picture() const;
   void countBreaks(std::size_t from);
   void recount();
   void growFilm(std::size_t from);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/document/track_titles.h"
 #include "ui/session/session.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/play_actions.h"
@@ -17,7 +18,7 @@ namespace ui {
 namespace {
 
 /// px: with more tracks than fit one scrolls.
-constexpr int kMostTrackHeight = TrackRows::kExpandedHeight + 2 * TrackRows::kRowHeight;
+constexpr int kMostTrackHeight = TrackLayout::kExpandedHeight + 2 * TrackLayout::kRowHeight;
 
 }  // namespace
 
@@ -63,7 +64,7 @@ void Timeline::makeTracks() {
 
 void Timeline::fillTargets() {
   targets_->clear();
-  for (const modeling::TargetName& target : targetsOf(session_.document().scene())) {
+  for (const modeling::TargetName& target : modeling::targetsOf(session_.document().scene())) {
     connect(targets_->addAction(titleOf(target)), &QAction::triggered, this, [this, target] {
       session_.document().edit(tr("Add Track"), [&](modeling::Scene& scene) { addTrack(scene, target); });
       showTracks_->setChecked(true);

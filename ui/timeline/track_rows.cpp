@@ -4,24 +4,24 @@
 #include <QHelpEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "ui/session/session.h"
 #include "ui/timeline/key_popup.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/timeline/time_bar.h"
 #include "ui/timeline/time_painting.h"
+#include "ui/timeline/track_painting.h"
 
 namespace ui {
 namespace {
 
-/// px: a key is caught from so far, and a press becomes a drag after so much.
-constexpr double kReach = 7.0;
-constexpr double kDragStart = 3.0;
-constexpr double kRowMargin = 14.0;
+constexpr double kDragStart = 3.0;  ///< px: a press becomes a drag after so much
+constexpr double kTwisty = 26.0;    ///< px: left of it a click opens and closes a row
 
 QString textOf(sim::Interpolation interpolation) {
   switch (interpolation) {
@@ -44,30 +44,59 @@ TrackRows::TrackRows(Session& session, TimeAxis& axis, TimeBar& bar, QWidget* pa
   setFocusPolicy(Qt::ClickFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Tracks"));
-  connect(&session_.document(), &Document::sceneChanged, this, &TrackRows::fit);
+  connect(&session_.document(), &Document::sceneChanged, this, &TrackRows::followTracks);
+  connect(&session_.document(), &Document::replaced, this, [this] { known_.clear(); });
   connect(&session_.selection(), &Selection::changed, this, qOverload<>(&QWidget::update));
   connect(&axis_, &TimeAxis::changed, this, [this] {
     shownCursor_ = bar_.xOf(bar_.cursorTime());
     update();
   });
   connect(&session_, &Session::shownChanged, this, &TrackRows::moveCursor);
-  fit();
+  followTracks();
 }
 
-const std::vector<modeling::SceneTrack>& TrackRows::tracks() const {
+const Tracks& TrackRows::tracks() const {
   return session_.document().scene().tracks;
 }
 
+TrackLayout TrackRows::trackLayout() const {
+  std::optional<TrackLayout::Steady> steady;
+  if (grabbed_) steady.emplace(TrackLayout::Steady{grabbed_->handle.place.track, grabbed_->before});
+  return {tracks(), expanded_, axis_, static_cast<double>(width()), steady};
+}
+
 QSize TrackRows::sizeHint() const {
-  const std::size_t count = tracks().size();
-  return {400, count == 0 ? kRowHeight : static_cast<int>(rowOf(count - 1).bottom())};
+  return {400, static_cast<int>(trackLayout().height())};
+}
+
+QPointF TrackRows::pointOf(const KeyPlace& place, std::size_t component) const {
+  return trackLayout().pointOf({place, component});
+}
+
+/// Tracks come and go by undo, by other panels and by what is performed in a run, also while the mouse holds
+/// one.
+void TrackRows::followTracks() {
+  std::set<std::size_t> expanded;
+  for (const std::size_t track : expanded_) {
+    if (const auto place = followedTrack(known_, tracks(), track)) expanded.insert(*place);
+  }
+  expanded_ = std::move(expanded);
+  if (selected_) selected_ = followedKey(known_, tracks(), *selected_);
+  if (grabbed_) {
+    KeyPlace& held = grabbed_->handle.place;
+    const std::optional<std::size_t> track = followedTrack(known_, tracks(), held.track);
+    // A drag begins from where the key was: keys that came or went meanwhile leave it without a beginning.
+    if (track && tracks()[*track].keys.size() == grabbed_->before.keys.size()) {
+      held.track = *track;
+    } else {
+      grabbed_.reset();
+    }
+  }
+  known_ = tracks();
+  fit();
 }
 
 void TrackRows::fit() {
-  const std::size_t count = tracks().size();
-  std::erase_if(expanded_, [&](std::size_t track) { return track >= count; });
-  if (selected_ && (selected_->track >= count || selected_->key >= tracks()[selected_->track].keys.size()))
-    selected_.reset();
   if (const int wanted = sizeHint().height(); wanted != height()) {
     setFixedHeight(wanted);
     emit heightChanged();
@@ -84,79 +113,12 @@ void TrackRows::setExpanded(std::size_t track, bool expanded) {
   fit();
 }
 
-QRectF TrackRows::rowOf(std::size_t track) const {
-  double top = 0.0;
-  for (std::size_t before = 0; before < track; ++before)
-    top += isExpanded(before) ? kExpandedHeight : kRowHeight;
-  return {0.0, top, static_cast<double>(width()),
-          static_cast<double>(isExpanded(track) ? kExpandedHeight : kRowHeight)};
-}
-
-std::optional<std::size_t> TrackRows::trackAt(double y) const {
-  for (std::size_t track = 0; track < tracks().size(); ++track) {
-    const QRectF row = rowOf(track);
-    if (y >= row.top() && y < row.bottom()) return track;
-  }
-  return std::nullopt;
-}
-
-TrackRows::Span TrackRows::spanOf(const modeling::SceneTrack& track) const {
-  Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const modeling::SceneTrackKey& key : track.keys) {
-    const sim::Vec3 value = asVector(key.value);
-    for (std::size_t c = 0; c < componentsOf(track.target); ++c) {
-      span.least = std::min(span.least, value[static_cast<Eigen::Index>(c)]);
-      span.most = std::max(span.most, value[static_cast<Eigen::Index>(c)]);
-    }
-  }
-  if (span.most - span.least < 1e-9 * std::max(std::abs(span.most), 1.0)) {
-    const double room = std::max(0.5 * std::abs(span.most), 0.5);
-    return {span.least - room, span.most + room};
-  }
-  return span;
-}
-
-/// While a key is dragged the scale stands still, so that the key stays under the pointer.
-double TrackRows::yOf(std::size_t track, double value) const {
-  const QRectF row = rowOf(track);
-  if (!isExpanded(track)) return row.center().y();
-  const bool held = grabbed_ && grabbed_->place.track == track;
-  const Span span = spanOf(held ? grabbed_->before : tracks()[track]);
-  const double share = (value - span.least) / (span.most - span.least);
-  return row.bottom() - kRowMargin - share * (row.height() - 2.0 * kRowMargin);
-}
-
-double TrackRows::valueAtY(std::size_t track, double y) const {
-  const QRectF row = rowOf(track);
-  const bool held = grabbed_ && grabbed_->place.track == track;
-  const Span span = spanOf(held ? grabbed_->before : tracks()[track]);
-  const double share = (row.bottom() - kRowMargin - y) / (row.height() - 2.0 * kRowMargin);
-  return span.least + share * (span.most - span.least);
-}
-
-QPointF TrackRows::pointOf(const KeyPlace& place, std::size_t component) const {
-  const modeling::SceneTrackKey& key = tracks().at(place.track).keys.at(place.key);
-  return {kTimelineHeader + axis_.xOf(key.time),
-          yOf(place.track, asVector(key.value)[static_cast<Eigen::Index>(component)])};
-}
-
-std::optional<TrackRows::Grabbed> TrackRows::keyAt(const QPointF& at) const {
-  const std::optional<std::size_t> track = trackAt(at.y());
-  if (!track || at.x() < kTimelineHeader) return std::nullopt;
-  std::optional<Grabbed> nearest;
-  double distance = kReach;
-  const modeling::SceneTrack& found = tracks()[*track];
-  for (std::size_t key = 0; key < found.keys.size(); ++key) {
-    const std::size_t components = isExpanded(*track) ? componentsOf(found.target) : 1;
-    for (std::size_t c = 0; c < components; ++c) {
-      const QPointF apart = pointOf({*track, key}, c) - at;
-      const double length = std::max(std::abs(apart.x()), std::abs(apart.y()));
-      if (length > distance) continue;
-      distance = length;
-      nearest = Grabbed{{*track, key}, c, at, found, false};
-    }
-  }
-  return nearest;
+void TrackRows::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  const TrackLayout shown = trackLayout();
+  paintTracks(painter,
+              {shown, session_.selection(), selected_, bar_.cursorTime(), shownCursor_, size(), font()},
+              event->rect());
 }
 
 void TrackRows::editTrack(const QString& name, std::size_t track,
@@ -171,17 +133,17 @@ void TrackRows::selectTrack(std::size_t track) {
 
 void TrackRows::mousePressEvent(QMouseEvent* event) {
   const QPointF at = event->position();
-  const std::optional<std::size_t> track = trackAt(at.y());
+  const std::optional<std::size_t> track = trackLayout().trackAt(at.y());
   if (!track || event->button() == Qt::MiddleButton) return;
   selectTrack(*track);
   selected_.reset();
-  if (std::optional<Grabbed> key = keyAt(at)) {
-    selected_ = key->place;
+  if (const std::optional<KeyHandle> handle = trackLayout().handleAt(at)) {
+    selected_ = handle->place;
     if (event->button() == Qt::LeftButton) {
-      grabbed_ = std::move(key);
+      grabbed_ = Grabbed{*handle, at, tracks()[*track], false};
       ++gestures_;
     }
-  } else if (at.x() < 26.0 && event->button() == Qt::LeftButton) {
+  } else if (at.x() < kTwisty && event->button() == Qt::LeftButton) {
     setExpanded(*track, !isExpanded(*track));
   }
   update();
@@ -189,7 +151,7 @@ void TrackRows::mousePressEvent(QMouseEvent* event) {
 
 void TrackRows::mouseMoveEvent(QMouseEvent* event) {
   if (!grabbed_) {
-    setCursor(keyAt(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    setCursor(trackLayout().handleAt(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     return;
   }
   const QPointF moved = event->position() - grabbed_->pressedAt;
@@ -200,20 +162,21 @@ void TrackRows::mouseMoveEvent(QMouseEvent* event) {
 
 void TrackRows::dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers) {
   const Grabbed grabbed = *grabbed_;
-  const auto [track, key] = grabbed.place;
+  const auto [track, key] = grabbed.handle.place;
   const modeling::SceneTrackKey& before = grabbed.before.keys[key];
   double time = before.time + (at.x() - grabbed.pressedAt.x()) * axis_.secondsPerPixel();
   const double fps = session_.document().scene().output.fps;
   if (modifiers.testFlag(Qt::ControlModifier)) time = std::round(time * fps) / fps;
-  sim::Vec3 value = asVector(before.value);
+  sim::Vec3 value = modeling::asVector(before.value);
   // Along one axis only where Shift says so: the one along which it was moved more.
   const QPointF moved = at - grabbed.pressedAt;
   const bool one = modifiers.testFlag(Qt::ShiftModifier);
   const bool upright = std::abs(moved.y()) > std::abs(moved.x());
   if (one && upright) time = before.time;
   if (isExpanded(track) && !(one && !upright)) {
-    const double change = valueAtY(track, at.y()) - valueAtY(track, grabbed.pressedAt.y());
-    double& component = value[static_cast<Eigen::Index>(grabbed.component)];
+    const TrackLayout shown = trackLayout();
+    const double change = shown.valueAtY(track, at.y()) - shown.valueAtY(track, grabbed.pressedAt.y());
+    double& component = value[static_cast<Eigen::Index>(grabbed.handle.component)];
     component += change;
     component = std::max(component, leastOf(grabbed.before.target));
   }
@@ -236,9 +199,9 @@ void TrackRows::mouseReleaseEvent(QMouseEvent* event) {
 void TrackRows::addKeyAt(std::size_t track, const QPointF& at) {
   const double time = std::max(axis_.timeAt(at.x() - kTimelineHeader), 0.0);
   const modeling::SceneTrack& found = tracks().at(track);
-  TrackValue value = valueAt(found, time);
+  modeling::TrackValue value = valueAt(found, time);
   if (isExpanded(track) && !found.target.isVector())
-    value = std::max(valueAtY(track, at.y()), leastOf(found.target));
+    value = std::max(trackLayout().valueAtY(track, at.y()), leastOf(found.target));
   std::size_t place = 0;
   editTrack(tr("Add Key"), track, [&](modeling::SceneTrack& edited) { place = addKey(edited, time, value); });
   selected_ = KeyPlace{track, place};
@@ -248,20 +211,20 @@ void TrackRows::addKeyAt(std::size_t track, const QPointF& at) {
 void TrackRows::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const QPointF at = event->position();
-  const std::optional<std::size_t> track = trackAt(at.y());
+  const std::optional<std::size_t> track = trackLayout().trackAt(at.y());
   if (!track) return;
   grabbed_.reset();
   if (at.x() < kTimelineHeader) {
     setExpanded(*track, !isExpanded(*track));
-  } else if (const std::optional<Grabbed> key = keyAt(at)) {
-    typeKey(key->place);
+  } else if (const std::optional<KeyHandle> handle = trackLayout().handleAt(at)) {
+    typeKey(handle->place);
   } else {
     addKeyAt(*track, at);
   }
 }
 
 void TrackRows::typeKey(const KeyPlace& place) {
-  auto* popup = new KeyPopup(session_.document(), place.track, place.key, this);
+  auto* popup = new KeyPopup(session_.document(), place, this);
   popup->open(mapToGlobal(pointOf(place).toPoint()));
 }
 
@@ -281,7 +244,8 @@ void TrackRows::keyPressEvent(QKeyEvent* event) {
   } else if (event->key() == Qt::Key_Escape && grabbed_) {
     const Grabbed grabbed = *std::exchange(grabbed_, std::nullopt);
     editTrack(
-        tr("Move Key"), grabbed.place.track, [&](modeling::SceneTrack& edited) { edited = grabbed.before; },
+        tr("Move Key"), grabbed.handle.place.track,
+        [&](modeling::SceneTrack& edited) { edited = grabbed.before; },
         QStringLiteral("move key %1").arg(gestures_));
     session_.document().endGesture();
   } else {
@@ -300,10 +264,14 @@ void TrackRows::wheelEvent(QWheelEvent* event) {
 
 void TrackRows::contextMenuEvent(QContextMenuEvent* event) {
   const QPointF at(event->pos());
-  const std::optional<std::size_t> found = trackAt(at.y());
+  const std::optional<std::size_t> found = trackLayout().trackAt(at.y());
   if (!found) return;
   const std::size_t track = *found;
   QMenu menu(this);
+  // What it offers is about this track and this key: it closes where tracks change under it.
+  connect(&session_.document(), &Document::sceneChanged, &menu, [this, &menu, before = tracks()] {
+    if (tracks() != before) menu.close();
+  });
   auto* group = new QActionGroup(&menu);
   for (const auto kind : {sim::Interpolation::step, sim::Interpolation::linear, sim::Interpolation::smooth}) {
     QAction* action = menu.addAction(textOf(kind));
@@ -348,17 +316,21 @@ bool TrackRows::event(QEvent* event) {
   }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  QString tip;
-  if (const std::optional<Grabbed> key = keyAt(QPointF(help->pos()))) {
-    const modeling::SceneTrackKey& found = tracks()[key->place.track].keys[key->place.key];
-    tip = tr("%1 s. Drag to move it in time%2; double-click to type; Delete takes it away.")
-              .arg(found.time, 0, 'f', 4)
-              .arg(isExpanded(key->place.track) ? tr(" and value") : QString());
-  } else if (trackAt(help->pos().y()) && help->pos().x() >= kTimelineHeader) {
-    tip = tr("Double-click: add a key. Ctrl and wheel: zoom the time.");
-  }
-  QToolTip::showText(help->globalPos(), tip, this);
+  QToolTip::showText(help->globalPos(), tipAt(QPointF(help->pos())), this);
   return true;
+}
+
+QString TrackRows::tipAt(const QPointF& at) const {
+  const TrackLayout shown = trackLayout();
+  if (const std::optional<KeyHandle> handle = shown.handleAt(at)) {
+    const auto [track, key] = handle->place;
+    return tr("%1 s. Drag to move it in time%2; double-click to type; Delete takes it away.")
+        .arg(tracks()[track].keys[key].time, 0, 'f', 4)
+        .arg(isExpanded(track) ? tr(" and value") : QString());
+  }
+  if (shown.trackAt(at.y()) && at.x() >= kTimelineHeader)
+    return tr("Double-click: add a key. Ctrl and wheel: zoom the time.");
+  return {};
 }
 
 }  // namespace ui

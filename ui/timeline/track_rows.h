@@ -1,10 +1,11 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <optional>
 #include <set>
 
-#include "ui/timeline/track_edits.h"
+#include "ui/timeline/track_following.h"
 
 namespace ui {
 
@@ -21,21 +22,11 @@ class TrackRows : public QWidget {
   TrackRows(Session& session, TimeAxis& axis, TimeBar& bar, QWidget* parent = nullptr);
 
   QSize sizeHint() const override;
-  /// A key, counted in its track.
-  struct KeyPlace {
-    std::size_t track = 0;
-    std::size_t key = 0;
-    bool operator==(const KeyPlace&) const = default;
-  };
   const std::optional<KeyPlace>& selectedKey() const { return selected_; }
   bool isExpanded(std::size_t track) const { return expanded_.contains(track); }
   void setExpanded(std::size_t track, bool expanded);
   /// Where the diamond of a key is; of one component of its value.
   QPointF pointOf(const KeyPlace& place, std::size_t component = 0) const;
-
-  /// Of a row that is closed and of one that shows its curve.
-  static constexpr int kRowHeight = 28;
-  static constexpr int kExpandedHeight = 104;
 
  signals:
   void heightChanged();
@@ -52,31 +43,16 @@ class TrackRows : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  struct Span {
-    double least = 0.0;
-    double most = 1.0;
-  };
   struct Grabbed {
-    KeyPlace place;
-    std::size_t component = 0;
+    KeyHandle handle;
     QPointF pressedAt;
-    modeling::SceneTrack before;
+    modeling::SceneTrack before;  ///< its track, as it was when it was pressed
     bool moved = false;
   };
 
-  const std::vector<modeling::SceneTrack>& tracks() const;
-  QRectF rowOf(std::size_t track) const;
-  std::optional<std::size_t> trackAt(double y) const;
-  Span spanOf(const modeling::SceneTrack& track) const;
-  double yOf(std::size_t track, double value) const;
-  double valueAtY(std::size_t track, double y) const;
-  std::optional<Grabbed> keyAt(const QPointF& at) const;
-
-  void paintHeader(QPainter& painter, std::size_t track);
-  void paintCurve(QPainter& painter, std::size_t track);
-  void paintKeys(QPainter& painter, std::size_t track);
-  void paintScale(QPainter& painter, std::size_t track);
-
+  const Tracks& tracks() const;
+  TrackLayout trackLayout() const;
+  void followTracks();
   void editTrack(const QString& name, std::size_t track,
                  const std::function<void(modeling::SceneTrack&)>& change, const QString& gesture = {});
   void dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers);
@@ -86,10 +62,12 @@ class TrackRows : public QWidget {
   void fit();
   void selectTrack(std::size_t track);
   void moveCursor();
+  QString tipAt(const QPointF& at) const;
 
   Session& session_;
   TimeAxis& axis_;
   TimeBar& bar_;
+  Tracks known_;  ///< those that all places below are in
   std::set<std::size_t> expanded_;
   std::optional<KeyPlace> selected_;
   std::optional<Grabbed> grabbed_;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "modeling/exchange/take_scene.h"
+#include "modeling/scene/tracks.h"
 #include "sim/surface/level_surface.h"
 #include "ui/viewport/draw_colours.h"
 #include "ui/viewport/topology.h"

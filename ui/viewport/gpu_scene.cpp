@@ -28,7 +28,7 @@ bool differs(const std::shared_ptr<const DrawData>& before, const DrawData& now,
 }  // namespace
 
 GpuScene::GpuScene(Gl& gl, DrawStatistics& statistics) : gl_(gl), statistics_(statistics) {
-  for (GLuint* array : {&surfaceArray_, &shardArray_, &ballArray_, &bondArray_, &emptyArray_})
+  for (GLuint* array : {&surface_.array, &shards_.array, &balls_.array, &bonds_.array, &emptyArray_})
     gl_.glGenVertexArrays(1, array);
   gl_.glGenTextures(1, &positions_);
   gl_.glBindTexture(GL_TEXTURE_2D, positions_);
@@ -38,12 +38,12 @@ GpuScene::GpuScene(Gl& gl, DrawStatistics& statistics) : gl_(gl), statistics_(st
 }
 
 GpuScene::~GpuScene() {
-  for (GlBuffer* buffer : {&cornerNodes_, &cornerNormals_, &cornerColours_, &faceIndices_, &shardCorners_,
-                           &shardColours_, &balls_, &bonds_, &bondFlags_})
+  for (GlBuffer* buffer : {&surface_.nodes, &surface_.normals, &surface_.colours, &surface_.indices,
+                           &shards_.corners, &shards_.colours, &balls_.balls, &bonds_.bonds, &bonds_.flags})
     buffer->destroy(gl_);
   destroySolid(level_);
   for (auto& [collider, solid] : colliders_) destroySolid(solid);
-  for (GLuint* array : {&surfaceArray_, &shardArray_, &ballArray_, &bondArray_, &emptyArray_})
+  for (GLuint* array : {&surface_.array, &shards_.array, &balls_.array, &bonds_.array, &emptyArray_})
     gl_.glDeleteVertexArrays(1, array);
   gl_.glDeleteTextures(1, &positions_);
 }
@@ -56,23 +56,23 @@ void GpuScene::show(const std::shared_ptr<const DrawData>& data) {
   };
   if (differs<LatticeDraw>(
           before, *data, [](const DrawData& d) -> auto& { return d.lattice; })) {
-    upload(bonds_, data->lattice->bonds);
+    upload(bonds_.bonds, data->lattice->bonds);
   }
   if (differs<TopologyDraw>(
           before, *data, [](const DrawData& d) -> auto& { return d.topology; }))
     uploadTopology(*data->topology);
   if (differs<ColourDraw>(
           before, *data, [](const DrawData& d) -> auto& { return d.colours; })) {
-    upload(cornerColours_, data->colours->corners);
-    upload(shardColours_, data->colours->shards);
+    upload(surface_.colours, data->colours->corners);
+    upload(shards_.colours, data->colours->shards);
   }
   if (differs<NodeDraw>(
           before, *data, [](const DrawData& d) -> auto& { return d.nodes; }))
-    upload(balls_, data->nodes->balls);
+    upload(balls_.balls, data->nodes->balls);
   if (differs<MotionDraw>(
           before, *data, [](const DrawData& d) -> auto& { return d.motion; })) {
     uploadPositions(*data->motion);
-    upload(cornerNormals_, data->motion->normals);
+    upload(surface_.normals, data->motion->normals);
   }
   if (differs<LevelDraw>(
           before, *data, [](const DrawData& d) -> auto& { return d.level; }))
@@ -104,12 +104,12 @@ void GpuScene::uploadPositions(const MotionDraw& motion) {
 }
 
 void GpuScene::uploadTopology(const TopologyDraw& topology) {
-  gl_.glBindVertexArray(surfaceArray_);
-  cornerNodes_.upload(gl_, statistics_, GL_ARRAY_BUFFER, topology.cornerNodes);
-  faceIndices_.upload(gl_, statistics_, GL_ELEMENT_ARRAY_BUFFER, topology.indices);
+  gl_.glBindVertexArray(surface_.array);
+  surface_.nodes.upload(gl_, statistics_, GL_ARRAY_BUFFER, topology.cornerNodes);
+  surface_.indices.upload(gl_, statistics_, GL_ELEMENT_ARRAY_BUFFER, topology.indices);
   gl_.glBindVertexArray(0);
-  shardCorners_.upload(gl_, statistics_, GL_ARRAY_BUFFER, topology.shards);
-  bondFlags_.upload(gl_, statistics_, GL_ARRAY_BUFFER, topology.bondFlags);
+  shards_.corners.upload(gl_, statistics_, GL_ARRAY_BUFFER, topology.shards);
+  bonds_.flags.upload(gl_, statistics_, GL_ARRAY_BUFFER, topology.bondFlags);
 }
 
 void GpuScene::uploadColliders(const std::vector<sim::Collider>& colliders) {
@@ -127,37 +127,37 @@ void GpuScene::uploadColliders(const std::vector<sim::Collider>& colliders) {
 }
 
 void GpuScene::describeSurface() {
-  gl_.glBindVertexArray(surfaceArray_);
-  if (cornerNodes_.name() == 0 || cornerNormals_.name() == 0) return;
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, cornerNodes_.name());
+  gl_.glBindVertexArray(surface_.array);
+  if (surface_.nodes.name() == 0 || surface_.normals.name() == 0) return;
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, surface_.nodes.name());
   gl_.glVertexAttribIPointer(0, 1, GL_UNSIGNED_INT, 0, nullptr);
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, cornerNormals_.name());
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, surface_.normals.name());
   gl_.glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, 0, nullptr);
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, cornerColours_.name());
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, surface_.colours.name());
   gl_.glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
   for (const GLuint attribute : {0U, 1U, 2U}) gl_.glEnableVertexAttribArray(attribute);
 }
 
 void GpuScene::describeShards() {
-  gl_.glBindVertexArray(shardArray_);
-  if (shardCorners_.name() == 0) return;
+  gl_.glBindVertexArray(shards_.array);
+  if (shards_.corners.name() == 0) return;
   constexpr auto kStride = static_cast<GLsizei>(sizeof(ShardCorner));
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, shardCorners_.name());
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, shards_.corners.name());
   gl_.glVertexAttribIPointer(0, 1, GL_UNSIGNED_INT, kStride, offsetOf(offsetof(ShardCorner, node)));
   gl_.glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, kStride,
                             offsetOf(offsetof(ShardCorner, normal)));
   gl_.glVertexAttribPointer(3, 3, GL_FLOAT, GL_FALSE, kStride, offsetOf(offsetof(ShardCorner, offset)));
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, shardColours_.name());
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, shards_.colours.name());
   gl_.glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
   for (const GLuint attribute : {0U, 1U, 2U, 3U}) gl_.glEnableVertexAttribArray(attribute);
 }
 
 void GpuScene::describeBalls() {
-  gl_.glBindVertexArray(ballArray_);
-  if (balls_.name() == 0) return;
+  gl_.glBindVertexArray(balls_.array);
+  if (balls_.balls.name() == 0) return;
   using Ball = NodeDraw::Ball;
   constexpr auto kStride = static_cast<GLsizei>(sizeof(Ball));
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, balls_.name());
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, balls_.balls.name());
   gl_.glVertexAttribIPointer(0, 1, GL_UNSIGNED_INT, kStride, offsetOf(offsetof(Ball, node)));
   gl_.glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, kStride, offsetOf(offsetof(Ball, radius)));
   gl_.glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, offsetOf(offsetof(Ball, colour)));
@@ -168,14 +168,14 @@ void GpuScene::describeBalls() {
 }
 
 void GpuScene::describeBonds() {
-  gl_.glBindVertexArray(bondArray_);
-  if (bonds_.name() == 0) return;
+  gl_.glBindVertexArray(bonds_.array);
+  if (bonds_.bonds.name() == 0) return;
   using Bond = LatticeDraw::Bond;
   constexpr auto kStride = static_cast<GLsizei>(sizeof(Bond));
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, bonds_.name());
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, bonds_.bonds.name());
   gl_.glVertexAttribIPointer(0, 2, GL_UNSIGNED_INT, kStride, nullptr);
   gl_.glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, kStride, offsetOf(offsetof(Bond, restLength)));
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, bondFlags_.name());
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, bonds_.flags.name());
   gl_.glVertexAttribIPointer(2, 1, GL_UNSIGNED_BYTE, 0, nullptr);
   for (const GLuint attribute : {0U, 1U, 2U}) {
     gl_.glEnableVertexAttribArray(attribute);
@@ -224,14 +224,14 @@ void GpuScene::useNodes(QOpenGLShaderProgram& program) {
 
 void GpuScene::drawFaces(std::uint32_t first, std::size_t count) {
   if (count == 0) return;
-  bindVertices(surfaceArray_);
+  bindVertices(surface_.array);
   gl_.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_INT,
                      offsetOf(6 * sizeof(std::uint32_t) * first));
 }
 
 void GpuScene::drawShardCorners(std::uint32_t first, std::size_t count) {
   if (count == 0) return;
-  bindVertices(shardArray_);
+  bindVertices(shards_.array);
   gl_.glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
@@ -290,15 +290,15 @@ void GpuScene::drawCollider(QOpenGLShaderProgram& program, std::size_t collider)
 }
 
 void GpuScene::drawBalls() {
-  if (!data_->motion || balls_.count() == 0) return;
-  bindVertices(ballArray_);
-  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls_.count());
+  if (!data_->motion || balls_.balls.count() == 0) return;
+  bindVertices(balls_.array);
+  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls_.balls.count());
 }
 
 void GpuScene::drawBonds() {
-  if (!data_->motion || bonds_.count() == 0) return;
-  bindVertices(bondArray_);
-  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, bonds_.count());
+  if (!data_->motion || bonds_.bonds.count() == 0) return;
+  bindVertices(bonds_.array);
+  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, bonds_.bonds.count());
 }
 
 void GpuScene::drawScreen() {

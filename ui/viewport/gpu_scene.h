@@ -43,6 +43,29 @@ class GpuScene {
     GlBuffer indices;
   };
 
+  /// Corners of faces: four a face, but for the indices, of which there are six.
+  struct Faces {
+    GLuint array = 0;
+    GlBuffer nodes;
+    GlBuffer normals;
+    GlBuffer colours;
+    GlBuffer indices;
+  };
+  struct Shards {
+    GLuint array = 0;
+    GlBuffer corners;
+    GlBuffer colours;
+  };
+  struct Balls {
+    GLuint array = 0;
+    GlBuffer balls;
+  };
+  struct Bonds {
+    GLuint array = 0;
+    GlBuffer bonds;
+    GlBuffer flags;
+  };
+
   void uploadPositions(const MotionDraw& motion);
   void uploadTopology(const TopologyDraw& topology);
   void uploadColliders(const std::vector<sim::Collider>& colliders);
@@ -63,20 +86,11 @@ class GpuScene {
   std::shared_ptr<const DrawData> data_;
   GLuint positions_ = 0;  ///< a texture of four floats a node, 2048 nodes a row
   GLsizei positionRows_ = 0;
-  GLuint surfaceArray_ = 0;
-  GLuint shardArray_ = 0;
-  GLuint ballArray_ = 0;
-  GLuint bondArray_ = 0;
   GLuint emptyArray_ = 0;
-  GlBuffer cornerNodes_;
-  GlBuffer cornerNormals_;
-  GlBuffer cornerColours_;
-  GlBuffer faceIndices_;
-  GlBuffer shardCorners_;
-  GlBuffer shardColours_;
-  GlBuffer balls_;
-  GlBuffer bonds_;
-  GlBuffer bondFlags_;
+  Faces surface_;
+  Shards shards_;
+  Balls balls_;
+  Bonds bonds_;
   Solid level_;
   std::vector<std::pair<sim::Collider, Solid>> colliders_;
 };

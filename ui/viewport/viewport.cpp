@@ -1,23 +1,27 @@
 #include "ui/viewport/viewport.h"
 
+#include <QHelpEvent>
 #include <QLabel>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QOpenGLContext>
+#include <QPainter>
+#include <QTimer>
+#include <QToolTip>
+#include <QWheelEvent>
 
-#include "ui/document/scene_edits.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/break_history.h"
 #include "ui/viewport/camera_flight.h"
-#include "ui/viewport/collider_shape.h"
+#include "ui/viewport/hover_text.h"
+#include "ui/viewport/painted_overlay.h"
 #include "ui/viewport/pick_resolver.h"
+#include "ui/viewport/viewport_overlay.h"
 #include "ui/viewport/viewport_renderer.h"
 
 namespace ui {
 namespace {
 
-/// How often it is looked whether draw data is ready.
-constexpr int kPreparingMilliseconds = 8;
-/// The pointer has to rest so long before what is under it is looked for.
-constexpr int kHoverMilliseconds = 50;
 /// Logical pixels.
 constexpr double kPickReach = 5.0;
 
@@ -26,27 +30,25 @@ constexpr double kPickReach = 5.0;
 Viewport::Viewport(Session& session, QWidget* parent)
     : QOpenGLWidget(parent),
       session_(session),
-      navigator_(camera_),
       flight_(new CameraFlight(camera_, this)),
       breaks_(std::make_unique<BreakHistory>()),
-      drawn_(std::make_shared<const DrawData>()) {
+      feed_(session),
+      input_(*this, camera_, *flight_) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(160, 120);
-  preparing_.setInterval(kPreparingMilliseconds);
-  preparing_.setTimerType(Qt::PreciseTimer);
-  hovering_.setInterval(kHoverMilliseconds);
-  hovering_.setSingleShot(true);
-  connect(&preparing_, &QTimer::timeout, this, &Viewport::takePrepared);
-  connect(&hovering_, &QTimer::timeout, this, &Viewport::showHover);
-  connect(&session_, &Session::shownChanged, this, &Viewport::prepare);
+  connect(&feed_, &DrawFeed::changed, this, [this] {
+    frameFirst();
+    update();
+  });
+  connect(&input_, &ViewportInput::cameraMoved, this, &Viewport::moved);
+  connect(&input_, &ViewportInput::hovered, this, &Viewport::hovered);
+  connect(&input_, &ViewportInput::clicked, this, &Viewport::clicked);
   connect(&session_, &Session::previewChanged, this, &Viewport::frameFirst);
   connect(&session_.document(), &Document::replaced, this, [this] { frameWhenShown_ = true; });
-  connect(&session_.document(), &Document::sceneChanged, this, &Viewport::prepareIfHidden);
   connect(&session_.selection(), &Selection::changed, this, qOverload<>(&QWidget::update));
   connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
   connect(flight_, &CameraFlight::moved, this, &Viewport::moved);
-  prepare();
 }
 
 Viewport::~Viewport() {
@@ -63,92 +65,31 @@ void Viewport::destroyRenderer() {
 }
 
 void Viewport::setViewSettings(const ViewSettings& settings) {
-  if (settings == viewSettings_) return;
-  viewSettings_ = settings;
+  if (settings == feed_.settings()) return;
   heartbeat_.listen(settings.statistics);
-  prepare();
+  feed_.setSettings(settings);
   emit viewSettingsChanged();
 }
 
-ViewSettings Viewport::effectiveSettings() const {
-  ViewSettings settings = viewSettings_;
-  const std::vector<std::string>& hidden = session_.document().scene().view.hidden;
-  settings.hiddenParts.insert(settings.hiddenParts.end(), hidden.begin(), hidden.end());
-  return settings;
-}
-
-void Viewport::prepareIfHidden() {
-  if (effectiveSettings() != requested_) prepare();
-}
-
-void Viewport::prepare() {
-  requested_ = effectiveSettings();
-  preparer_.request(session_.shown(), requested_);
-  preparing_.start();
-}
-
-void Viewport::takePrepared() {
-  // Asked before the newest is taken: what is ready in between comes with the next look.
-  if (!preparer_.isBusy()) preparing_.stop();
-  std::shared_ptr<const DrawData> newest = preparer_.newest();
-  if (newest == drawn_) return;
-  drawn_ = std::move(newest);
-  frameFirst();
-  update();
-}
-
-bool Viewport::isUpToDate() const {
-  const Shown& shown = session_.shown();
-  return !preparer_.isBusy() && drawn_ == preparer_.newest() && drawn_->settings == effectiveSettings() &&
-         drawn_->shown.network == shown.network && drawn_->shown.moment == shown.moment;
-}
-
 void Viewport::frameFirst() {
-  if (!frameWhenShown_ || session_.isBuilding() || !drawn_->shown.scene) return;
-  if (drawn_->shown.network != session_.shown().network) return;
-  if (drawn_->box.isEmpty() && drawn_->colliders.empty()) return;
+  const DrawData& content = *drawn();
+  if (!frameWhenShown_ || session_.isBuilding() || !content.shown.scene) return;
+  if (content.shown.network != session_.shown().network) return;
+  if (content.box.isEmpty() && content.colliders.empty()) return;
   frameWhenShown_ = false;
-  if (const auto& camera = drawn_->shown.scene->view.camera) {
+  if (const auto& camera = content.shown.scene->view.camera) {
     camera_.set(*camera);
     // Made for a picture of other proportions, it may cut off what is to be seen first.
-    for (int step = 0; step < 20 && !camera_.sees(drawn_->box, viewSize()); ++step)
+    for (int step = 0; step < 20 && !camera_.sees(content.box, viewSize()); ++step)
       camera_.look(camera_.target(), 1.06 * camera_.distance(), camera_.azimuth(), camera_.elevation());
   } else {
-    camera_ = framed(everything());
+    camera_ = framed(boxOfAll(content));
   }
   moved();
 }
 
-Eigen::AlignedBox3d Viewport::everything() const {
-  Eigen::AlignedBox3d box = drawn_->box;
-  for (const sim::Collider& collider : drawn_->colliders) box.extend(boxOf(collider));
-  if (box.isEmpty()) return box;
-  // What is in the air is seen with the floor on which it will fall.
-  const sim::Vec3 middle = box.center();
-  for (const sim::Collider& collider : drawn_->colliders) {
-    if (collider.shape != sim::ColliderShape::floor) continue;
-    const sim::Vec3 normal = collider.rotation * sim::Vec3::UnitZ();
-    box.extend(sim::Vec3(middle - normal.dot(middle - collider.position) * normal));
-  }
-  return box;
-}
-
 Eigen::AlignedBox3d Viewport::selectionBox() const {
-  Eigen::AlignedBox3d box;
-  const PictureFrame frame = pictureFrame();
-  for (const std::size_t collider : frame.outlinedColliders) {
-    box.extend(boxOf(drawn_->colliders[collider]));
-    box.extend(drawn_->colliders[collider].position);
-  }
-  if (frame.outlinedParts.empty() || !drawn_->motion) return box;
-  const sim::Network& network = *drawn_->shown.network;
-  std::vector<std::uint8_t> chosen(network.partNames.size(), 0);
-  for (const sim::PartIndex part : frame.outlinedParts) chosen[part] = 1;
-  for (std::size_t node = 0; node < network.nodeCount(); ++node) {
-    if (network.nodeParts[node] >= chosen.size() || chosen[network.nodeParts[node]] == 0) continue;
-    box.extend(Eigen::Map<const Eigen::Vector3f>(drawn_->motion->positions[node].data()).cast<double>());
-  }
-  return box;
+  return boxOfOutlined(*drawn(), marked());
 }
 
 ViewCamera Viewport::framed(const Eigen::AlignedBox3d& box) const {
@@ -158,12 +99,12 @@ ViewCamera Viewport::framed(const Eigen::AlignedBox3d& box) const {
 }
 
 void Viewport::frameAll() {
-  flyTo(framed(everything()));
+  flyTo(framed(boxOfAll(*drawn())));
 }
 
 void Viewport::frameSelection() {
   const Eigen::AlignedBox3d box = selectionBox();
-  flyTo(framed(box.isEmpty() ? everything() : box));
+  flyTo(framed(box.isEmpty() ? boxOfAll(*drawn()) : box));
 }
 
 void Viewport::lookAlong(ViewCamera::Axis axis) {
@@ -194,7 +135,7 @@ void Viewport::moved() {
 
 void Viewport::setTool(std::unique_ptr<Tool> tool) {
   if (tool_) tool_->cancel(*this);
-  toolPressed_ = false;
+  input_.forgetToolPress();
   tool_ = std::move(tool);
   setCursor(tool_ ? tool_->cursor() : QCursor(Qt::ArrowCursor));
   emit toolChanged();
@@ -239,60 +180,42 @@ void Viewport::initializeGL() {
   if (!renderer_) sayWhatIsMissing(why);
 }
 
-PictureFrame Viewport::pictureFrame() const {
-  PictureFrame frame{camera_,
-                     viewSize(),
-                     devicePixelRatioF(),
-                     defaultFramebufferObject(),
-                     Theme::instance().colours(),
-                     {},
-                     {},
-                     {},
-                     {}};
-  const modeling::Scene& scene = session_.document().scene();
-  for (const Item& item : session_.selection().items()) {
-    if (item.kind == ItemKind::part && item.index < scene.parts.size() && drawn_->shown.network) {
-      const std::vector<std::string>& names = drawn_->shown.network->partNames;
-      for (std::size_t part = 0; part < names.size(); ++part) {
-        if (names[part] == scene.parts[item.index].name)
-          frame.outlinedParts.push_back(static_cast<sim::PartIndex>(part));
-      }
-    }
-    if (item.kind != ItemKind::collider || item.index >= scene.environment.colliders.size()) continue;
-    for (std::size_t i = 0; i < drawn_->colliders.size(); ++i) {
-      if (drawn_->colliders[i].name == scene.environment.colliders[item.index].name)
-        frame.outlinedColliders.push_back(i);
-    }
-  }
-  addLocked(frame);
-  return frame;
+MarkedThings Viewport::marked() const {
+  return markedThings(*drawn(), session_.document().scene(), session_.selection());
 }
 
-/// Clicks pass over what is locked.
-void Viewport::addLocked(PictureFrame& frame) const {
-  const modeling::Scene& scene = session_.document().scene();
-  if (scene.view.locked.empty()) return;
-  const auto locked = [&](ItemKind kind, const std::string& name) {
-    const std::optional<Item> item = itemNamed(scene, kind, name);
-    return item && isLocked(scene, *item);
-  };
-  if (drawn_->shown.network) {
-    const std::vector<std::string>& names = drawn_->shown.network->partNames;
-    for (std::size_t part = 0; part < names.size(); ++part) {
-      if (locked(ItemKind::part, names[part])) frame.passedParts.push_back(static_cast<sim::PartIndex>(part));
-    }
-  }
-  for (std::size_t i = 0; i < drawn_->colliders.size(); ++i) {
-    if (locked(ItemKind::collider, drawn_->colliders[i].name)) frame.passedColliders.push_back(i);
-  }
+PictureFrame Viewport::pictureFrame() const {
+  return {camera_, viewSize(), devicePixelRatioF(), defaultFramebufferObject(), Theme::instance().colours(),
+          marked()};
 }
 
 void Viewport::paintGL() {
   if (!renderer_) return;
-  renderer_->show(drawn_);
+  renderer_->show(drawn());
   renderer_->paint(pictureFrame());
   paintOver();
   noteHint();
+}
+
+void Viewport::paintOver() {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  PaintedOverlay overlay(painter, camera_, viewSize());
+  if (viewSettings().invisibleColliders) paintInvisibleColliders(overlay, *drawn());
+  for (const auto& paint : overlays_) paint(overlay);
+  if (tool_) tool_->draw(*this, overlay);
+  AxisGizmo().paint(painter, camera_, viewSize(), input_.pointer());
+  paintLegends(painter, viewSize(), *drawn());
+  if (viewSettings().statistics)
+    paintStatistics(painter, *drawn(), renderer_->statistics(), heartbeat_.longestWait());
+  paintBand(painter, input_.band());
+}
+
+void Viewport::noteHint() {
+  const QString hint = input_.hint();
+  if (hint == hint_) return;
+  hint_ = hint;
+  emit hintChanged(hint_);
 }
 
 DrawStatistics Viewport::statistics() const {
@@ -302,10 +225,74 @@ DrawStatistics Viewport::statistics() const {
 Pick Viewport::pickAt(const QPointF& pixel) {
   if (!renderer_) return {};
   makeCurrent();
-  renderer_->show(drawn_);
+  renderer_->show(drawn());
   const PickedThing thing = renderer_->pick(pictureFrame(), pixel, kPickReach);
   doneCurrent();
-  return resolved(thing, *drawn_, session_.document().scene());
+  return resolved(thing, *drawn(), session_.document().scene());
+}
+
+QString Viewport::describe(const Pick& pick) {
+  const std::shared_ptr<Footage>& footage =
+      drawn()->shown.live ? session_.run()->footage : session_.playback().footage();
+  return hoverText(pick, *drawn(), session_.document().scene(), *breaks_, footage);
+}
+
+bool Viewport::showToolTip(const QPoint& at) {
+  if (input_.isBusyAt(at)) return true;
+  const QString text = describe(pickAt(at));
+  if (text.isEmpty()) {
+    QToolTip::hideText();
+  } else {
+    QToolTip::showText(mapToGlobal(at), text, this);
+  }
+  return true;
+}
+
+bool Viewport::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) return showToolTip(static_cast<QHelpEvent*>(event)->pos());
+  if (event->type() == QEvent::NativeGesture) {
+    const auto& gesture = static_cast<QNativeGestureEvent&>(*event);
+    if (gesture.gestureType() == Qt::ZoomNativeGesture) {
+      input_.pinch(gesture.value(), gesture.position());
+      return true;
+    }
+  }
+  if (event->type() == QEvent::ShortcutOverride && tool_) {
+    // Digits typed into a drag are no shortcuts of views.
+    const auto& key = static_cast<QKeyEvent&>(*event);
+    if (tool_->wantsKey(key.key(), key.modifiers())) {
+      event->accept();
+      return true;
+    }
+  }
+  return QOpenGLWidget::event(event);
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  setFocus(Qt::MouseFocusReason);
+  input_.press(*event);
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  input_.move(*event);
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  input_.release(*event);
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+  QOpenGLWidget::leaveEvent(event);
+  input_.leave();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  input_.wheel(*event);
+  event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+  if (!input_.key(*event)) QOpenGLWidget::keyPressEvent(event);
 }
 
 }  // namespace ui

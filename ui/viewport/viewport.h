@@ -1,30 +1,26 @@
 #pragma once
 
 #include <QOpenGLWidget>
-#include <QTimer>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "ui/session/session.h"
-#include "ui/viewport/axis_gizmo.h"
-#include "ui/viewport/draw_preparer.h"
+#include "ui/viewport/draw_feed.h"
 #include "ui/viewport/gl.h"
 #include "ui/viewport/heartbeat.h"
-#include "ui/viewport/navigator.h"
+#include "ui/viewport/picture_frame.h"
 #include "ui/viewport/tool.h"
 #include "ui/viewport/view_camera.h"
-#include "ui/viewport/view_settings.h"
+#include "ui/viewport/viewport_input.h"
 
 class QLabel;
-class QPainter;
 
 namespace ui {
 
 class BreakHistory;
 class CameraFlight;
 class ViewportRenderer;
-struct PictureFrame;
 
 /// The picture of what the session shows, with navigation, picking and tools. Where there is no OpenGL 3.3 it
 /// says so in its place, and nothing else of it does anything.
@@ -40,10 +36,10 @@ class Viewport : public QOpenGLWidget {
   ViewCamera& camera() { return camera_; }
   QSizeF viewSize() const { return QSizeF(size()); }
 
-  const ViewSettings& viewSettings() const { return viewSettings_; }
+  const ViewSettings& viewSettings() const { return feed_.settings(); }
   void setViewSettings(const ViewSettings& settings);
-  NavigationPreset navigationPreset() const { return navigator_.preset(); }
-  void setNavigationPreset(NavigationPreset preset) { navigator_.setPreset(preset); }
+  NavigationPreset navigationPreset() const { return input_.navigator().preset(); }
+  void setNavigationPreset(NavigationPreset preset) { input_.navigator().setPreset(preset); }
 
   void frameAll();
   /// The parts and colliders that are selected; everything where none is.
@@ -58,7 +54,7 @@ class Viewport : public QOpenGLWidget {
   QString describe(const Pick& pick);
   Ray rayThrough(const QPointF& pixel) const { return camera_.rayThrough(pixel, viewSize()); }
   std::optional<QPointF> project(const sim::Vec3& point) const { return camera_.project(point, viewSize()); }
-  /// Of what is selected, cm; empty where nothing is, or it is not shown.
+  /// Around what is selected, cm; empty where nothing is, or it is not shown.
   Eigen::AlignedBox3d selectionBox() const;
 
   /// Null: select.
@@ -68,8 +64,8 @@ class Viewport : public QOpenGLWidget {
   void addOverlay(std::function<void(Overlay&)> paint) { overlays_.push_back(std::move(paint)); }
 
   /// What is shown by the session and chosen to view is what is drawn.
-  bool isUpToDate() const;
-  const std::shared_ptr<const DrawData>& drawn() const { return drawn_; }
+  bool isUpToDate() const { return feed_.isUpToDate(); }
+  const std::shared_ptr<const DrawData>& drawn() const { return feed_.drawn(); }
   DrawStatistics statistics() const;
 
  signals:
@@ -96,60 +92,30 @@ class Viewport : public QOpenGLWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  /// With what the document hides.
-  ViewSettings effectiveSettings() const;
-  void prepare();
-  void prepareIfHidden();
-  void takePrepared();
   void frameFirst();
   void destroyRenderer();
   void sayWhatIsMissing(const QString& why);
+  MarkedThings marked() const;
   PictureFrame pictureFrame() const;
-  void addLocked(PictureFrame& frame) const;
-  Eigen::AlignedBox3d everything() const;
   ViewCamera framed(const Eigen::AlignedBox3d& box) const;
   void moved();
-  void select(const Pick& pick, Qt::KeyboardModifiers modifiers);
-  QString hint() const;
   void noteHint();
-  /// Of the frame that is being drawn around things to select; empty where none is.
-  QRectF band() const;
-  void selectInBand(Qt::KeyboardModifiers modifiers);
-  std::vector<Item> itemsIn(const QRectF& frame) const;
-  void paintBand(QPainter& painter) const;
-  void showHover();
   bool showToolTip(const QPoint& at);
   void paintOver();
-  void paintLegend(QPainter& painter) const;
-  void paintStatistics(QPainter& painter) const;
-  void paintInvisible(Overlay& overlay) const;
 
   Session& session_;
   ViewCamera camera_;
-  ViewSettings viewSettings_;
-  ViewSettings requested_;  ///< of the preparer
-  Navigator navigator_;
-  AxisGizmo axisGizmo_;
   CameraFlight* flight_ = nullptr;
   QLabel* missing_ = nullptr;  ///< says why there is no picture
   std::unique_ptr<Tool> tool_;
   std::vector<std::function<void(Overlay&)>> overlays_;
-  bool toolPressed_ = false;
   std::unique_ptr<ViewportRenderer> renderer_;
   std::unique_ptr<BreakHistory> breaks_;
-  std::shared_ptr<const DrawData> drawn_;
   bool frameWhenShown_ = true;
-  std::optional<QPointF> pointer_;     ///< while it is over the viewport
-  std::optional<QPointF> pressed_;     ///< of the left button, while it may become a click
-  std::optional<QPointF> bandFrom_;    ///< of the left button, where a frame around things begins
-  std::optional<QPointF> gizmoPress_;  ///< of the left button, on the axes
-  QPointF gizmoLast_;
-  Pick hover_;
   QString hint_;  ///< that was told last
   Heartbeat heartbeat_;
-  QTimer preparing_;
-  QTimer hovering_;
-  DrawPreparer preparer_;
+  DrawFeed feed_;
+  ViewportInput input_;
 };
 
 }  // namespace ui

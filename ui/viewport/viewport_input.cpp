@@ -1,19 +1,23 @@
-#include <QHelpEvent>
-#include <QMouseEvent>
-#include <QNativeGestureEvent>
-#include <QToolTip>
-#include <QWheelEvent>
+#include "ui/viewport/viewport_input.h"
 
-#include "ui/document/scene_edits.h"
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <utility>
+
+#include "ui/session/session.h"
 #include "ui/viewport/camera_flight.h"
+#include "ui/viewport/pointed_selection.h"
 #include "ui/viewport/viewport.h"
-#include "ui/viewport/viewport_renderer.h"
 
 namespace ui {
 namespace {
 
 /// A press that moves no farther, in logical pixels, is a click.
 constexpr double kClickReach = 4.0;
+/// The pointer has to rest so long before what is under it is looked for.
+constexpr int kHoverMilliseconds = 50;
+/// Logical pixels: the axes light up under a pointer that is so near to the corner.
+constexpr double kAxesReach = 110.0;
 
 PointerEvent pointerOf(const QMouseEvent& event) {
   return {event.position(), event.buttons(), event.modifiers()};
@@ -25,172 +29,179 @@ bool isNear(const QPointF& a, const QPointF& b) {
 
 }  // namespace
 
-bool Viewport::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) return showToolTip(static_cast<QHelpEvent*>(event)->pos());
-  if (event->type() == QEvent::NativeGesture) {
-    const auto& gesture = static_cast<QNativeGestureEvent&>(*event);
-    if (gesture.gestureType() == Qt::ZoomNativeGesture) {
-      navigator_.pinch(gesture.value(), gesture.position(), viewSize());
-      moved();
-      return true;
-    }
-  }
-  if (event->type() == QEvent::ShortcutOverride && tool_) {
-    // Digits typed into a drag are no shortcuts of views.
-    const auto& key = static_cast<QKeyEvent&>(*event);
-    if (tool_->wantsKey(key.key(), key.modifiers())) {
-      event->accept();
-      return true;
-    }
-  }
-  return QOpenGLWidget::event(event);
+ViewportInput::ViewportInput(Viewport& viewport, ViewCamera& camera, CameraFlight& flight)
+    : viewport_(viewport), camera_(camera), flight_(flight), navigator_(camera) {
+  hovering_.setInterval(kHoverMilliseconds);
+  hovering_.setSingleShot(true);
+  connect(&hovering_, &QTimer::timeout, this, &ViewportInput::showHover);
 }
 
-void Viewport::mousePressEvent(QMouseEvent* event) {
-  setFocus(Qt::MouseFocusReason);
-  flight_->stop();
-  const PointerEvent pointer = pointerOf(*event);
-  if (toolPressed_) {
-    tool_->press(*this, pointer);
-    return;
-  }
-  if (event->button() == Qt::LeftButton && axisGizmo_.contains(event->position(), viewSize())) {
-    gizmoPress_ = event->position();
-    gizmoLast_ = event->position();
-    return;
-  }
-  if (navigator_.press(pointer)) return;
-  if (tool_ && event->button() == Qt::LeftButton && tool_->press(*this, pointer)) {
-    toolPressed_ = true;
-    return;
-  }
-  if (event->button() == Qt::LeftButton) pressed_ = event->position();
+QRectF ViewportInput::band() const {
+  return hold_ == Hold::band && pointer_ ? QRectF(from_, *pointer_).normalized() : QRectF();
 }
 
-void Viewport::mouseMoveEvent(QMouseEvent* event) {
-  pointer_ = event->position();
-  const PointerEvent pointer = pointerOf(*event);
-  if (gizmoPress_) {
-    if (!isNear(event->position(), *gizmoPress_) || gizmoLast_ != *gizmoPress_) {
-      navigator_.orbitBy(event->position() - gizmoLast_);
-      gizmoLast_ = event->position();
-      moved();
-    }
+void ViewportInput::forgetToolPress() {
+  if (hold_ == Hold::tool) hold_ = Hold::nothing;
+}
+
+QString ViewportInput::hint() const {
+  if (viewport_.tool() != nullptr) return viewport_.tool()->hint();
+  const QString turning = navigator_.preset() == NavigationPreset::maya
+                              ? Viewport::tr("Alt and a drag orbits, pans and zooms")
+                              : Viewport::tr("middle button orbits, with Shift pans; wheel zooms");
+  return Viewport::tr("Click selects, with Shift more; drag selects what is in a box; %1").arg(turning);
+}
+
+bool ViewportInput::isBusyAt(const QPointF& at) const {
+  return hold_ == Hold::camera || hold_ == Hold::tool || axes_.contains(at, viewport_.viewSize());
+}
+
+void ViewportInput::press(const QMouseEvent& event) {
+  flight_.stop();
+  const PointerEvent pointer = pointerOf(event);
+  Tool* tool = viewport_.tool();
+  if (hold_ == Hold::tool) {
+    // Other buttons, while it has the left one.
+    if (tool != nullptr) tool->press(viewport_, pointer);
     return;
   }
-  if (navigator_.isMoving()) {
-    navigator_.move(pointer, viewSize());
-    moved();
+  const bool left = event.button() == Qt::LeftButton;
+  if (left && axes_.contains(event.position(), viewport_.viewSize())) {
+    hold_ = Hold::axes;
+    from_ = last_ = event.position();
     return;
   }
-  if (tool_ && toolPressed_) {
-    tool_->move(*this, pointer);
-    update();
+  if (navigator_.press(pointer)) {
+    hold_ = Hold::camera;
     return;
   }
-  if (pressed_ && !isNear(*pressed_, event->position())) bandFrom_ = std::exchange(pressed_, std::nullopt);
-  if (bandFrom_) update();
-  if (event->buttons() != Qt::NoButton) return;
-  if (tool_) tool_->hover(*this, pointer);
+  if (!left) return;
+  from_ = event.position();
+  hold_ = Hold::click;
+  if (tool != nullptr && tool->press(viewport_, pointer)) hold_ = Hold::tool;
+}
+
+void ViewportInput::move(const QMouseEvent& event) {
+  const QPointF at = event.position();
+  pointer_ = at;
+  Tool* tool = viewport_.tool();
+  if (hold_ == Hold::click && !isNear(from_, at)) hold_ = Hold::band;
+  switch (hold_) {
+    case Hold::axes:
+      if (isNear(at, from_) && last_ == from_) return;
+      navigator_.orbitBy(at - std::exchange(last_, at));
+      emit cameraMoved();
+      return;
+    case Hold::camera:
+      navigator_.move(pointerOf(event), viewport_.viewSize());
+      emit cameraMoved();
+      return;
+    case Hold::tool:
+      if (tool != nullptr) tool->move(viewport_, pointerOf(event));
+      viewport_.update();
+      return;
+    case Hold::band:
+      viewport_.update();
+      return;
+    case Hold::click:
+    case Hold::nothing:
+      break;
+  }
+  if (event.buttons() != Qt::NoButton) return;
+  if (tool != nullptr) tool->hover(viewport_, pointerOf(event));
   hovering_.start();
-  // The axes light up under the pointer.
-  const QPointF reach(110.0, 110.0);
-  if (tool_ || QRectF(QPointF(0.0, height() - reach.y()), QSizeF(reach.x(), reach.y())).contains(*pointer_))
-    update();
+  const QRectF nearAxes(0.0, viewport_.height() - kAxesReach, kAxesReach, kAxesReach);
+  if (tool != nullptr || nearAxes.contains(at)) viewport_.update();
 }
 
-void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  const PointerEvent pointer = pointerOf(*event);
-  if (gizmoPress_ && event->button() == Qt::LeftButton) {
-    const bool clicked = gizmoLast_ == *gizmoPress_;
-    gizmoPress_.reset();
-    if (const auto axis = axisGizmo_.axisAt(event->position(), camera_, viewSize()); clicked && axis)
-      lookAlong(*axis);
-    return;
-  }
-  if (navigator_.isMoving() && event->buttons() == Qt::NoButton) {
+void ViewportInput::release(const QMouseEvent& event) {
+  const bool left = event.button() == Qt::LeftButton;
+  if (hold_ == Hold::camera) {
+    if (event.buttons() != Qt::NoButton) return;
     navigator_.release();
+    hold_ = Hold::nothing;
     return;
   }
-  if (tool_ && toolPressed_) {
-    if (event->button() == Qt::LeftButton) {
-      toolPressed_ = false;
-      tool_->release(*this, pointer);
-      update();
+  if (!left) return;
+  switch (std::exchange(hold_, Hold::nothing)) {
+    case Hold::axes:
+      releaseAxes(event.position());
+      return;
+    case Hold::tool:
+      if (viewport_.tool() != nullptr) viewport_.tool()->release(viewport_, pointerOf(event));
+      viewport_.update();
+      return;
+    case Hold::band: {
+      const QRectF frame = QRectF(from_, event.position()).normalized();
+      pointer_ = event.position();
+      selectFramed(viewport_.session(), itemsIn(frame, viewport_.session(), camera_, viewport_.viewSize()),
+                   event.modifiers());
+      viewport_.update();
+      return;
     }
-    return;
-  }
-  if (event->button() == Qt::LeftButton && bandFrom_) {
-    pointer_ = event->position();
-    selectInBand(event->modifiers());
-    return;
-  }
-  if (event->button() == Qt::LeftButton && pressed_) {
-    pressed_.reset();
-    const Pick pick = pickAt(event->position());
-    select(pick, event->modifiers());
-    emit clicked(pick);
+    case Hold::click: {
+      const Pick pick = viewport_.pickAt(event.position());
+      selectPicked(viewport_.session(), pick, event.modifiers());
+      emit clicked(pick);
+      return;
+    }
+    case Hold::camera:
+    case Hold::nothing:
+      return;
   }
 }
 
-void Viewport::leaveEvent(QEvent* event) {
-  QOpenGLWidget::leaveEvent(event);
+/// Without a drag it was a click on an axis.
+void ViewportInput::releaseAxes(const QPointF& at) {
+  if (last_ != from_) return;
+  if (const auto axis = axes_.axisAt(at, camera_, viewport_.viewSize())) viewport_.lookAlong(*axis);
+}
+
+void ViewportInput::leave() {
   pointer_.reset();
   hovering_.stop();
   if (hover_.kind != Pick::Kind::nothing) {
     hover_ = {};
     emit hovered(hover_);
   }
-  update();
+  viewport_.update();
 }
 
-void Viewport::wheelEvent(QWheelEvent* event) {
-  flight_->stop();
-  navigator_.wheel(*event, viewSize());
-  event->accept();
-  moved();
+void ViewportInput::wheel(const QWheelEvent& event) {
+  flight_.stop();
+  navigator_.wheel(event, viewport_.viewSize());
+  emit cameraMoved();
 }
 
-void Viewport::keyPressEvent(QKeyEvent* event) {
-  const int key = event->key();
-  if (key == Qt::Key_Escape && bandFrom_) {
-    bandFrom_.reset();
-    update();
-    return;
-  }
-  if (tool_ && tool_->key(*this, key, event->modifiers())) {
-    update();
-    return;
-  }
-  if (key == Qt::Key_Escape && tool_) {
-    if (tool_->cancel(*this)) {
-      toolPressed_ = false;
-    } else {
-      setTool(nullptr);
-    }
-    update();
-    return;
-  }
-  QOpenGLWidget::keyPressEvent(event);
+void ViewportInput::pinch(double change, const QPointF& at) {
+  navigator_.pinch(change, at, viewport_.viewSize());
+  emit cameraMoved();
 }
 
-void Viewport::showHover() {
-  if (!pointer_ || navigator_.isMoving() || toolPressed_) return;
-  const Pick pick = pickAt(*pointer_);
+bool ViewportInput::key(const QKeyEvent& event) {
+  const bool escape = event.key() == Qt::Key_Escape;
+  Tool* tool = viewport_.tool();
+  if (escape && hold_ == Hold::band) {
+    hold_ = Hold::nothing;
+  } else if (tool != nullptr && tool->key(viewport_, event.key(), event.modifiers())) {
+    // It has it.
+  } else if (escape && tool != nullptr && tool->cancel(viewport_)) {
+    forgetToolPress();
+  } else if (escape && tool != nullptr) {
+    viewport_.setTool(nullptr);
+  } else {
+    return false;
+  }
+  viewport_.update();
+  return true;
+}
+
+void ViewportInput::showHover() {
+  if (!pointer_ || hold_ == Hold::camera || hold_ == Hold::tool) return;
+  const Pick pick = viewport_.pickAt(*pointer_);
   const bool same = pick.kind == hover_.kind && pick.index == hover_.index && pick.node == hover_.node;
   hover_ = pick;
   if (!same) emit hovered(hover_);
-}
-
-bool Viewport::showToolTip(const QPoint& at) {
-  if (navigator_.isMoving() || toolPressed_ || axisGizmo_.contains(at, viewSize())) return true;
-  const QString text = describe(pickAt(at));
-  if (text.isEmpty()) {
-    QToolTip::hideText();
-  } else {
-    QToolTip::showText(mapToGlobal(at), text, this);
-  }
-  return true;
 }
 
 }  // namespace ui

@@ -1,15 +1,20 @@
+#include "ui/viewport/viewport_overlay.h"
+
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 
 #include "ui/theme/theme.h"
 #include "ui/viewport/collider_shape.h"
 #include "ui/viewport/colour_map.h"
-#include "ui/viewport/painted_overlay.h"
-#include "ui/viewport/viewport.h"
-#include "ui/viewport/viewport_renderer.h"
+#include "ui/viewport/overlay.h"
 
 namespace ui {
 namespace {
+
+QString words(const char* text) {
+  return QCoreApplication::translate("ui::Viewport", text);
+}
 
 constexpr double kMargin = 14.0;
 constexpr QSizeF kScale(180.0, 10.0);
@@ -56,30 +61,29 @@ void paintLegendCard(QPainter& painter, const QSizeF& size, int row, const QStri
 
 }  // namespace
 
-void Viewport::paintLegend(QPainter& painter) const {
+void paintLegends(QPainter& painter, const QSizeF& size, const DrawData& data) {
   int row = 0;
-  const ViewSettings& settings = drawn_->settings;
-  if (!drawn_->motion) return;
+  const ViewSettings& settings = data.settings;
+  if (!data.motion) return;
   if (settings.bonds)
-    paintLegendCard(painter, viewSize(), row++, tr("Strain / threshold"), tr("0"), tr("1: breaks"));
+    paintLegendCard(painter, size, row++, words("Strain / threshold"), words("0"), words("1: breaks"));
   if (settings.surface && settings.colouring == Colouring::quality)
-    paintLegendCard(painter, viewSize(), row++, tr("Scaled Jacobian"), tr("0: flat"), tr("1: cube"));
+    paintLegendCard(painter, size, row++, words("Scaled Jacobian"), words("0: flat"), words("1: cube"));
 }
 
-void Viewport::paintStatistics(QPainter& painter) const {
-  if (!viewSettings_.statistics) return;
-  const DrawStatistics& drawing = renderer_->statistics();
-  const sim::Network* network = drawn_->shown.network.get();
+void paintStatistics(QPainter& painter, const DrawData& data, const DrawStatistics& drawing,
+                     double longestWait) {
+  const sim::Network* network = data.shown.network.get();
   const QStringList lines{
-      tr("%L1 nodes, %L2 bonds")
+      words("%L1 nodes, %L2 bonds")
           .arg(network ? network->nodeCount() : 0)
           .arg(network ? network->bondCount() : 0),
-      tr("%L1 faces").arg(drawn_->topology ? drawn_->topology->faces.size() : 0),
-      tr("%L1 draw calls").arg(drawing.drawCalls),
-      tr("%L1 kB uploaded").arg(static_cast<double>(drawing.uploadedBytes) / 1000.0, 0, 'f', 1),
-      tr("%L1 ms to prepare").arg(drawn_->milliseconds, 0, 'f', 2),
-      tr("%L1 ms to paint").arg(drawing.paintMilliseconds, 0, 'f', 2),
-      tr("%L1 ms longest wait of the window").arg(heartbeat_.longestWait(), 0, 'f', 0)};
+      words("%L1 faces").arg(data.topology ? data.topology->faces.size() : 0),
+      words("%L1 draw calls").arg(drawing.drawCalls),
+      words("%L1 kB uploaded").arg(static_cast<double>(drawing.uploadedBytes) / 1000.0, 0, 'f', 1),
+      words("%L1 ms to prepare").arg(data.milliseconds, 0, 'f', 2),
+      words("%L1 ms to paint").arg(drawing.paintMilliseconds, 0, 'f', 2),
+      words("%L1 ms longest wait of the window").arg(longestWait, 0, 'f', 0)};
   painter.setFont(Theme::numberFont(-1.0));
   const QFontMetricsF metrics(painter.font());
   double width = 0.0;
@@ -95,26 +99,22 @@ void Viewport::paintStatistics(QPainter& painter) const {
   }
 }
 
-void Viewport::paintInvisible(Overlay& overlay) const {
-  if (!viewSettings_.invisibleColliders) return;
-  for (const sim::Collider& collider : drawn_->colliders) {
+void paintInvisibleColliders(Overlay& overlay, const DrawData& data) {
+  for (const sim::Collider& collider : data.colliders) {
     if (collider.visible) continue;
     for (const auto& [from, to] : colliderOutline(collider))
       overlay.line(from, to, Theme::instance().colours().dimText, 1.0);
   }
 }
 
-void Viewport::paintOver() {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  PaintedOverlay overlay(painter, camera_, viewSize());
-  paintInvisible(overlay);
-  for (const auto& paint : overlays_) paint(overlay);
-  if (tool_) tool_->draw(*this, overlay);
-  axisGizmo_.paint(painter, camera_, viewSize(), pointer_);
-  paintLegend(painter);
-  paintStatistics(painter);
-  paintBand(painter);
+void paintBand(QPainter& painter, const QRectF& band) {
+  if (band.isEmpty()) return;
+  QColor colour = Theme::instance().colours().accent;
+  painter.setPen(QPen(colour, 1.0));
+  colour.setAlphaF(0.15F);
+  painter.setBrush(colour);
+  painter.drawRect(band);
+  painter.setBrush(Qt::NoBrush);
 }
 
 }  // namespace ui

@@ -1,7 +1,8 @@
 #include "ui/window/main_window.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMessageBox>
@@ -10,15 +11,24 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolBar>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/document/place_words.h"
+#include "ui/editors/editor_actions.h"
 #include "ui/files/autosave.h"
 #include "ui/panels/add_actions.h"
+#include "ui/panels/empty_scene.h"
+#include "ui/panels/scene_actions.h"
+#include "ui/panels/take_photographer.h"
 #include "ui/theme/theme.h"
+#include "ui/timeline/play_actions.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/docks.h"
 #include "ui/window/focus_order.h"
 #include "ui/window/gallery.h"
+#include "ui/window/menus.h"
 #include "ui/window/problem_bar.h"
 #include "ui/window/view_memory.h"
 
@@ -37,13 +47,15 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-  files_ = new FileActions(session_, recent_, this);
+  actions_.files = new FileActions(session_, recent_, this);
   makeCentre();
-  makeDocks();
-  makeMenus();
+  makeActions();
+  docks_ = new Docks(*this, session_, *viewport_, actions_);
+  new TakePhotographer(session_, *viewport_, this);
+  makeMenus({*this, session_, *viewport_, *docks_, actions_, [this] { showGallery(); }});
   makeToolBar();
   makeStatusBar();
-  connect(files_, &FileActions::opened, this, &MainWindow::showViewport);
+  connect(actions_.files, &FileActions::opened, this, &MainWindow::showViewport);
   connect(&session_.document(), &Document::statusChanged, this, &MainWindow::showTitle);
   connect(&session_, &Session::runChanged, this, &MainWindow::showRun);
   connect(&session_, &Session::previewChanged, this, &MainWindow::showPreviewProblem);
@@ -52,43 +64,99 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   connect(viewport_, &Viewport::viewSettingsChanged, this,
           [this] { rememberView(viewport_->viewSettings()); });
   showTitle();
-  firstLayout_ = saveState(kLayoutVersion);
+  docks_->markFirstLayout();
   recallLayout();
   showGallery();
 }
 
 MainWindow::~MainWindow() = default;
 
+void MainWindow::makeCentre() {
+  pages_ = new QStackedWidget(this);
+  workPage_ = new QWidget(pages_);
+  auto* layout = new QVBoxLayout(workPage_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  problems_ = new ProblemBar(workPage_);
+  viewport_ = new Viewport(session_, workPage_);
+  layout->addWidget(problems_);
+  layout->addWidget(viewport_, 1);
+  gallery_ = new Gallery(recent_, pages_);
+  connect(gallery_, &Gallery::newWanted, actions_.files, &FileActions::newScene);
+  connect(gallery_, &Gallery::openWanted, actions_.files->openAction(), &QAction::trigger);
+  connect(gallery_, &Gallery::fileWanted, actions_.files, &FileActions::open);
+  pages_->addWidget(gallery_);
+  pages_->addWidget(workPage_);
+  setCentralWidget(pages_);
+}
+
+void MainWindow::makeActions() {
+  actions_.scene = new SceneActions(session_, this);
+  actions_.add = new AddActions(session_, this);
+  new EmptyScene(session_, *actions_.add, viewport_);
+  actions_.play = new PlayActions(session_, this);
+  addActions(actions_.play->findChildren<QAction*>(Qt::FindDirectChildrenOnly));
+  qApp->installEventFilter(new KeysOfFocus(this));
+  actions_.editors = new EditorActions(session_, *viewport_, this);
+  addAction(actions_.editors->glue());
+}
+
+void MainWindow::makeToolBar() {
+  toolBar_ = addToolBar(tr("Tools"));
+  toolBar_->setObjectName("tools");
+  toolBar_->setMovable(false);
+  toolBar_->setIconSize(QSize(18, 18));
+  toolBar_->addAction(actions_.files->newAction());
+  toolBar_->addAction(actions_.files->openAction());
+  toolBar_->addAction(actions_.files->saveAction());
+  toolBar_->addSeparator();
+  toolBar_->addAction(actions_.add->openAction());
+  toolBar_->addSeparator();
+  toolBar_->addAction(actions_.play->simulate);
+}
+
+void MainWindow::makeStatusBar() {
+  auto* hint = new QLabel(this);
+  hint->setForegroundRole(QPalette::PlaceholderText);
+  hint->setIndent(6);
+  state_ = new QLabel(this);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->addWidget(hint, 1);
+  statusBar()->addPermanentWidget(state_);
+  connect(viewport_, &Viewport::hintChanged, hint, &QLabel::setText);
+}
+
+bool MainWindow::showsGallery() const {
+  return pages_->currentWidget() == gallery_;
+}
+
 void MainWindow::rememberLayout() const {
-  QSettings settings;
-  settings.setValue("window/geometry", saveGeometry());
-  if (pages_->currentWidget() == workPage_) settings.setValue("window/state", saveState(kLayoutVersion));
+  QSettings().setValue("window/geometry", saveGeometry());
+  if (!showsGallery()) docks_->rememberLayout();
 }
 
 void MainWindow::recallLayout() {
-  const QSettings settings;
-  restoreGeometry(settings.value("window/geometry").toByteArray());
-  restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
+  restoreGeometry(QSettings().value("window/geometry").toByteArray());
+  docks_->recallLayout();
 }
 
 void MainWindow::showGallery() {
-  if (pages_->currentWidget() == workPage_ && isVisible()) {
+  if (!showsGallery() && isVisible()) {
     keepPicture();
     rememberLayout();
   }
-  for (QDockWidget* dock : docks_) dock->hide();
+  docks_->hideAll();
   toolBar_->hide();
   statusBar()->hide();
   pages_->setCurrentWidget(gallery_);
 }
 
 void MainWindow::showViewport() {
-  if (pages_->currentWidget() == workPage_) return;
+  if (!showsGallery()) return;
   pages_->setCurrentWidget(workPage_);
-  const QByteArray state = QSettings().value("window/state").toByteArray();
   toolBar_->show();
   statusBar()->show();
-  if (state.isEmpty() || !restoreState(state, kLayoutVersion)) useFirstLayout();
+  if (!docks_->recallLayout()) docks_->useFirstLayout();
   viewport_->setFocus();
 }
 
@@ -127,7 +195,7 @@ void MainWindow::showPreviewProblem() {
 void MainWindow::showProblem(const sim::Problem& problem) {
   previewProblem_ = false;
   problems_->show(problem, placeInWords(session_.document().scene(), problem.place));
-  if (pages_->currentWidget() == gallery_ && !problems_->isVisible())
+  if (showsGallery() && !problems_->isVisible())
     QMessageBox::warning(this, tr("Smithereens"), QString::fromStdString(problem.line()));
 }
 
@@ -157,7 +225,7 @@ void MainWindow::offerLeftovers(const std::filesystem::path& root) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->mayLeave()) {
+  if (!actions_.files->mayLeave()) {
     event->ignore();
     return;
   }
@@ -173,9 +241,9 @@ bool MainWindow::focusNextPrevChild(bool next) {
 
 /// A mesh comes into the scene that is open, or into a new one.
 void MainWindow::takeDropped(const std::filesystem::path& file) {
-  if (!AddActions::isMesh(file)) return files_->open(file);
-  if (pages_->currentWidget() == gallery_) files_->newScene();
-  if (pages_->currentWidget() == workPage_) addActions_->askAboutMesh(file);
+  if (!AddActions::isMesh(file)) return actions_.files->open(file);
+  if (showsGallery()) actions_.files->newScene();
+  if (!showsGallery()) actions_.add->askAboutMesh(file);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
