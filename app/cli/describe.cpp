@@ -11,6 +11,7 @@
 #include "modeling/preflight/preflight.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
+#include "sim/methods/method_names.h"
 #include "sim/take/take.h"
 
 namespace app {
