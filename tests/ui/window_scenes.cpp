@@ -6,6 +6,7 @@
 
 #include "modeling/scene/build.h"
 #include "sim/dynamics/simulation.h"
+#include "sim/surface/surface_mesh.h"
 #include "sim/take/frame_times.h"
 #include "tests/support/grid_network.h"
 
