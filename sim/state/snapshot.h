@@ -7,8 +7,7 @@
 
 namespace sim {
 
-/// Where the energy is, erg (B3). kinetic + elastic + gravity + contact + dissipated + released - outsideWork
-/// - (its value at the start) = residual, the numerical error.
+/// Where the energy is, erg: the parts of the sum that docs/numerics.md, Energy 1, states.
 struct Energy {
   double kinetic = 0.0;
   double elastic = 0.0;      ///< in intact bonds
@@ -30,14 +29,14 @@ struct LedgerRow {
   double step = 0.0;                    ///< s
 };
 
-/// A bond breaking, for the crack timeline (B15).
+/// A bond breaking, for the crack timeline.
 struct BreakEvent {
   double time = 0.0;
   BondIndex bond = kNone;
   NodeIndex a = kNone;
   NodeIndex b = kNone;
   float strain = 0.0F;     ///< stretch / rest length - 1 when it broke
-  CellIndex cell = kNone;  ///< the broken cell that took it along (P15); kNone: its own threshold was passed
+  CellIndex cell = kNone;  ///< the broken cell that took it along; kNone: its own threshold was passed
 };
 
 enum class FragmentState : std::uint8_t {
