@@ -212,7 +212,7 @@ bool RenderChoices::wantsViewportCamera() const {
 
 std::optional<PictureJob::Order> RenderChoices::order(Session& session, const Viewport& viewport) const {
   const Shown& shown = session.shown();
-  const auto take = session.currentTake();
+  const auto take = session.takes().current();
   if (!shown.network || !shown.moment) return std::nullopt;
   PictureJob::Order order;
   if (wantsAllFrames() && take) {
