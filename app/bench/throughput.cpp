@@ -55,7 +55,6 @@ sim::Status breakUp(sim::Simulation& running, double share) {
 
 sim::Result<Row> measure(const Body& body, sim::Precision precision, int threads, double bandwidth) {
   modeling::Scene scene = body.scene;
-  scene.solver.precision = precision;
   auto simulation = start(scene, threads);
   if (!simulation) return simulation.problem();
   sim::Simulation& running = **simulation;
@@ -151,7 +150,7 @@ sim::Status benchThroughput(const std::vector<int>& threads,
     const double bandwidth = triadBandwidth(count);
     std::printf("memory, %d threads: %.1f GB/s (triad)\n", count, bandwidth / 1e9);
     for (const Body& body : *bodies) {
-      for (const sim::Precision precision : {sim::Precision::float64, sim::Precision::float32}) {
+      for (const sim::Precision precision : {sim::Precision::float64}) {
         const auto row = measure(body, precision, count, bandwidth);
         if (!row) return row.problem();
         std::printf("%-24s %9s %8zu %9zu %8d %16.1f %14.1f %14.1f %7.2f %11.0f %8.0f %%\n",

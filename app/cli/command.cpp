@@ -12,4 +12,8 @@ ExitStatus complain(const sim::Problem& problem, ExitStatus status) {
   return status;
 }
 
+void tell(const std::vector<sim::Problem>& notes) {
+  for (const sim::Problem& note : notes) std::cerr << "note: " << note.line() << '\n';
+}
+
 }  // namespace app

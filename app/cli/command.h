@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/base/result.h"
 
 namespace CLI {
@@ -21,6 +23,9 @@ inline constexpr int kMostThreads = 1024;
 
 /// Prints the problem's line to standard error and returns the status, so that a command can `return` it.
 ExitStatus complain(const sim::Problem& problem, ExitStatus status = ExitStatus::wrongInput);
+
+/// Prints what a person should know of a file that was read all the same, a line a note, to standard error.
+void tell(const std::vector<sim::Problem>& notes);
 
 /// A command registers its name, options and callback with the program, and its callback leaves its answer in
 /// `status`. One such function a command, each in its own file.

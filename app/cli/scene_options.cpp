@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/command.h"
+
 namespace app {
 namespace {
 
@@ -15,12 +17,11 @@ struct Shorthand {
   const char* after = "";
 };
 
-constexpr std::array<Shorthand, 7> kShorthands{
+constexpr std::array<Shorthand, 6> kShorthands{
     {{"--until", "output.duration", &SceneOptions::until},
      {"--fps", "output.fps", &SceneOptions::fps},
      {"--seed", "solver.seed", &SceneOptions::seed},
      {"--method", "solver.method", &SceneOptions::method},
-     {"--precision", "solver.precision", &SceneOptions::precision},
      {"--step", "solver.step", &SceneOptions::step},
      {"--tolerance", "solver.step", &SceneOptions::tolerance, R"({"tolerance":)", "}"}}};
 
@@ -38,7 +39,6 @@ void SceneOptions::addTo(CLI::App& command) {
   command.add_option("--fps", fps, "Frames a second, in place of output.fps");
   command.add_option("--seed", seed, "Of the random thresholds");
   command.add_option("--method", method, "One of " + listOf(sim::methodNames()));
-  command.add_option("--precision", precision, "Of forces, one of " + listOf(sim::precisionNames()));
   CLI::Option* fixed = command.add_option("--step", step, "Seconds, or auto");
   command.add_option("--tolerance", tolerance, "Error of strain a shortest swing that the step keeps to")
       ->excludes(fixed);
@@ -56,7 +56,10 @@ sim::Result<modeling::SceneFile> SceneOptions::load() const {
       all.push_back(std::string(shorthand.path) + "=" + shorthand.before + value + shorthand.after);
   }
   sim::Result<modeling::SceneFile> file = modeling::loadScene(scene, all);
-  if (file) return file;
+  if (file) {
+    tell(file->notes);
+    return file;
+  }
   sim::Problem problem = file.problem();
   for (const Shorthand& shorthand : kShorthands) {
     const std::string source = std::string("--set ") + shorthand.path;

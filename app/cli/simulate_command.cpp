@@ -54,7 +54,6 @@ ExitStatus simulate(const SimulateOptions& options) {
     auto created = sim::TakeWriter::create(options.take, headerOf(built->scene), (*simulation)->network());
     if (!created) return complain(created.problem());
     take = std::move(created).value();
-    take->leaveOutUnmoved(scene.solver.skip.recording);
   }
   for (const std::string& warning : built->warnings) std::cout << "note          " << warning << '\n';
   Recorder recorder(**simulation, take.get(), scene.output.fps);

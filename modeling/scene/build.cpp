@@ -126,7 +126,6 @@ void addTracks(const SceneTrack& written, const sim::Environment& environment,
 sim::Settings settingsOf(const Solver& solver) {
   sim::Settings settings;
   settings.method = solver.method;
-  settings.precision = solver.precision;
   settings.step = solver.step.seconds;
   settings.tolerance = solver.step.tolerance;
   settings.safety = solver.safety;
