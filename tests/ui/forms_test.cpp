@@ -44,9 +44,12 @@ struct Panel {
   }
   void type(NumberField& number, const char* text) {
     number.beginEditing();
-    auto* editor = number.findChild<QLineEdit*>();
-    editor->setText(QString::fromUtf8(text));
-    QTest::keyClick(editor, Qt::Key_Return);
+    // Editors that are closed live on until the event loop comes round.
+    const auto editors = number.findChildren<QLineEdit*>();
+    const auto editor = std::ranges::find_if(editors, [](const QLineEdit* one) { return one->isVisible(); });
+    REQUIRE(editor != editors.end());
+    (*editor)->setText(QString::fromUtf8(text));
+    QTest::keyClick(*editor, Qt::Key_Return);
   }
   void choose(const char* path, const char* label) {
     auto* choice = field<ChoiceField>(path);

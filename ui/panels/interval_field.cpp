@@ -1,6 +1,7 @@
 #include "ui/panels/interval_field.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 
 namespace ui {
 namespace {
@@ -21,8 +22,9 @@ IntervalField::IntervalField(const NumberFormat& format, QWidget* parent) : QWid
   until_->setAccessibleName(tr("until"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(3);
+  row->setSpacing(4);
   row->addWidget(from_, 1);
+  row->addWidget(new QLabel(tr("to"), this));
   row->addWidget(until_, 1);
   connect(from_, &NumberField::edited, this,
           [this](std::optional<double> value, bool finished) { take(0, value, finished); });

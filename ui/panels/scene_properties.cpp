@@ -44,6 +44,13 @@ void addSolver(PropertyForm& form, const RowLabel& label) {
   solver.addRest();
 }
 
+void addOutput(PropertyForm& form, const RowLabel& label) {
+  form.beginSection(label.text);
+  FieldRows output(form, label.path, [](Scene& scene, const Item&) { return &scene.output; });
+  output.add("duration");
+  output.addRest();
+}
+
 void addView(PropertyForm& form, const RowLabel& label) {
   FieldRows view(form, label.path, [](Scene& scene, const Item&) { return &scene.view; });
   view.foldSections();
@@ -55,7 +62,7 @@ void addView(PropertyForm& form, const RowLabel& label) {
 void addSceneProperties(PropertyForm& form) {
   FieldRows scene(form, "", [](Scene& shown, const Item&) { return &shown; });
   scene.leaveOut("name");
-  scene.add("output");
+  addOutput(form, scene.label("output"));
   scene.add("environment");
   addSolver(form, scene.label("solver"));
   addView(form, scene.label("view"));

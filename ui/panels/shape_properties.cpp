@@ -162,6 +162,7 @@ void addShape(PropertyForm& form, const modeling::NetworkShape& shape) {
 void addShape(PropertyForm& form, const modeling::MeshShape&) {
   FieldRows mesh(form, "", shapeOf<modeling::MeshShape>);
   mesh.addRest();
+  addLatticeReport(form);
 }
 
 }  // namespace
