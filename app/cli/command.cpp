@@ -17,4 +17,8 @@ Option threadsOption(int& threads) {
       .name = "--threads", .target = &threads, .help = "0: all there are", .range = Range{0.0, kMostThreads}};
 }
 
+void tell(const std::vector<sim::Problem>& notes) {
+  for (const sim::Problem& note : notes) std::cerr << "note: " << note.line() << '\n';
+}
+
 }  // namespace app

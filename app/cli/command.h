@@ -25,6 +25,9 @@ inline constexpr int kMostThreads = 1024;
 /// Prints the problem's line to standard error and returns the status, so that a command can `return` it.
 ExitStatus complain(const sim::Problem& problem, ExitStatus status = ExitStatus::wrongInput);
 
+/// Prints what a person should know of a file that was read all the same, a line a note, to standard error.
+void tell(const std::vector<sim::Problem>& notes);
+
 /// Where the value of an option goes. A bool is a flag, a vector takes the option several times, and an
 /// optional keeps whether it was given.
 using Target = std::variant<bool*, int*, double*, std::uint64_t*, std::string*, std::optional<double>*,

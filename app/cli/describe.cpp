@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "app/cli/command.h"
 #include "modeling/import/lammps_data.h"
 #include "modeling/preflight/preflight.h"
 #include "modeling/scene/build.h"
@@ -132,6 +133,7 @@ std::string beginningOf(const std::filesystem::path& file) {
 sim::Result<Json> describeScene(const std::filesystem::path& file) {
   const sim::Result<modeling::SceneFile> scene = modeling::loadScene(file);
   if (!scene) return scene.problem();
+  tell(scene->notes);
   sim::Result<BuiltScene> built = modeling::build(scene->scene, file.parent_path());
   if (!built) return scene->located(built.problem());
   Json info = {{"kind", "scene"}, {"name", scene->scene.name}};

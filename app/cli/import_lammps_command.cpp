@@ -32,6 +32,7 @@ std::filesystem::path bondsOf(const ImportOptions& options) {
 ExitStatus import(const ImportOptions& options) {
   const auto file = modeling::loadScene(options.scene, options.settings);
   if (!file) return complain(file.problem());
+  tell(file->notes);
   auto built = modeling::build(file->scene, std::filesystem::path(options.scene).parent_path());
   if (!built) return complain(file->located(built.problem()));
   const double expected = std::max(1.0, file->scene.output.duration * file->scene.output.fps + 1.0);

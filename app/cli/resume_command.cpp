@@ -102,6 +102,7 @@ sim::Result<std::optional<modeling::Scene>> changedScene(const ResumeOptions& op
   if (!before) return before.problem();
   const auto after = modeling::parseScene(*text, source, options.settings);
   if (!after) return after.problem();
+  tell(after->notes);
   if (const sim::Status possible = modeling::checkChange(before->scene, after->scene); !possible)
     return sim::Problem{"--set " + possible.problem().place, possible.problem().what,
                         possible.problem().remedy};
@@ -156,7 +157,6 @@ ExitStatus resume(const ResumeOptions& options) {
   auto take = from->frame ? sim::TakeWriter::continueAfter(options.take, *from->frame)
                           : sim::TakeWriter::create(options.take, from->header, (*simulation)->network());
   if (!take) return complain(take.problem());
-  (*take)->leaveOutUnmoved(from->scene.solver.skip.recording);
 
   const auto begin = from->frame ? &modeling::Recording::ofContinuedRun : &modeling::Recording::ofNewRun;
   modeling::Recording recording =

@@ -1,8 +1,9 @@
 #include "app/cli/scene_options.h"
-#include "sim/methods/method_names.h"
 
 #include <array>
 
+#include "app/cli/command.h"
+#include "sim/methods/method_names.h"
 namespace app {
 namespace {
 
@@ -14,12 +15,11 @@ struct Shorthand {
   const char* after = "";
 };
 
-constexpr std::array<Shorthand, 7> kShorthands{
+constexpr std::array<Shorthand, 6> kShorthands{
     {{"--until", "output.duration", &SceneOptions::until},
      {"--fps", "output.fps", &SceneOptions::fps},
      {"--seed", "solver.seed", &SceneOptions::seed},
      {"--method", "solver.method", &SceneOptions::method},
-     {"--precision", "solver.precision", &SceneOptions::precision},
      {"--step", "solver.step", &SceneOptions::step},
      {"--tolerance", "solver.step", &SceneOptions::tolerance, R"({"tolerance":)", "}"}}};
 
@@ -37,7 +37,6 @@ std::vector<Option> SceneOptions::options() {
           {"--fps", &fps, "Frames a second, in place of output.fps"},
           {"--seed", &seed, "Of the random thresholds"},
           {"--method", &method, "One of " + listOf(sim::methodNames())},
-          {"--precision", &precision, "Of forces, one of " + listOf(sim::precisionNames())},
           {"--step", &step, "Seconds, or auto"},
           {.name = "--tolerance",
            .target = &tolerance,
@@ -57,7 +56,10 @@ sim::Result<modeling::SceneFile> SceneOptions::load() const {
       all.push_back(std::string(shorthand.path) + "=" + shorthand.before + value + shorthand.after);
   }
   sim::Result<modeling::SceneFile> file = modeling::loadScene(scene, all);
-  if (file) return file;
+  if (file) {
+    tell(file->notes);
+    return file;
+  }
   sim::Problem problem = file.problem();
   for (const Shorthand& shorthand : kShorthands) {
     const std::string source = std::string("--set ") + shorthand.path;

@@ -16,13 +16,13 @@ struct SceneOptions {
   std::string fps;
   std::string seed;
   std::string method;
-  std::string precision;
   std::string step;
   std::string tolerance;
 
   /// The options, bound to this object, which has to outlive them.
   std::vector<Option> options();
-  /// The scene with everything laid over it. A Problem in an option's value names the option.
+  /// The scene with everything laid over it; its notes are told. A Problem in an option's value names the
+  /// option.
   sim::Result<modeling::SceneFile> load() const;
 };
 

@@ -51,12 +51,15 @@ std::vector<std::string> simulateWords(const SweepOptions& options, const SweepG
 
 /// Every setting is tried before anything runs: a slip is told at once, not by each run.
 sim::Status checkRuns(const SweepOptions& options, const SweepGrid& grid) {
+  bool told = false;
   for (std::size_t v = 0; v < grid.variations().size(); ++v) {
     for (const std::string& value : grid.variations()[v].values) {
       std::vector<std::string> settings = options.settings;
       settings.push_back(grid.variations()[v].path + "=" + value);
       const auto scene = modeling::loadScene(options.scene, settings);
       if (!scene) return scene.problem();
+      if (!told) tell(scene->notes);
+      told = true;
     }
   }
   return sim::Done{};

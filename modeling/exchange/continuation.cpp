@@ -184,7 +184,6 @@ sim::Result<Recording> branchTake(const sim::TakeReader& take, std::size_t frame
   header.sceneHash = sim::textHash(header.scene);
   auto writer = sim::TakeWriter::create(path, header, take.network());
   if (!writer) return writer.problem();
-  (*writer)->leaveOutUnmoved(from.scene.solver.skip.recording);
   const std::size_t copies = from.changed ? frame : frame + 1;
   if (const sim::Status copied = copyFrames(take, copies, **writer, *first, keepGoing); !copied)
     return copied.problem();

@@ -23,9 +23,7 @@ sim::TakeHeader takeHeaderOf(const Scene& scene) {
 
 sim::Result<std::unique_ptr<sim::TakeWriter>> createTake(const std::filesystem::path& path,
                                                          const Scene& scene, const sim::Network& network) {
-  auto take = sim::TakeWriter::create(path, takeHeaderOf(scene), network);
-  if (take) (*take)->leaveOutUnmoved(scene.solver.skip.recording);
-  return take;
+  return sim::TakeWriter::create(path, takeHeaderOf(scene), network);
 }
 
 Recording Recording::ofNewRun(sim::Simulation& simulation, std::unique_ptr<sim::TakeWriter> take, Plan plan) {

@@ -85,7 +85,6 @@ struct ColliderFormInto {
 sim::Settings settingsOf(const Solver& solver) {
   sim::Settings settings;
   settings.method = solver.method;
-  settings.precision = solver.precision;
   settings.step = solver.step.seconds;
   settings.tolerance = solver.step.tolerance;
   settings.safety = solver.safety;

@@ -17,10 +17,12 @@
 #include "modeling/text/json_fields.h"
 #include "modeling/text/json_reader.h"
 
-/// Values to and from JSON. Codec<T> has
-///   read(reader, value, out, rule)  false after telling the reader the problem; keys left out leave `out` as
-///   it is write(value, base, rule)        what differs from `base`, the value that a reader starts from
-///   schema(rule)                    JSON Schema of what read() takes
+/// Values to and from JSON. For each type T that stands in a file, Codec<T> has three functions:
+///
+/// - `read(reader, value, out, rule)` fills `out`, and leaves alone what belongs to keys that are not given.
+///   It answers false after it told the reader the problem.
+/// - `write(value, base, rule)` gives what differs from `base`, the value that a reader starts from.
+/// - `schema(rule)` gives the JSON Schema of what `read` takes.
 namespace modeling {
 
 using Json = nlohmann::ordered_json;
@@ -186,6 +188,16 @@ std::vector<std::string> keysOf() {
   return keys;
 }
 
+/// Keys of T that older files may hold.
+template <class T>
+std::vector<RetiredKey> retiredKeysOf() {
+  if constexpr (requires { Fields<T>::kRetired; }) {
+    return {Fields<T>::kRetired.begin(), Fields<T>::kRetired.end()};
+  } else {
+    return {};
+  }
+}
+
 /// The keys of T that the object has, into `out`; keys of others are left alone.
 template <class T>
 bool readFields(JsonReader& reader, const JsonValue& object, T& out) {
@@ -219,7 +231,7 @@ void addFieldSchemas(Json& schema) {
   forEachField<T>([&](const auto& entry) {
     using Value = std::remove_cvref_t<decltype(std::declval<T&>().*entry.member)>;
     Json property = Codec<Value>::schema(entry.rule);
-    property["description"] = entry.rule.help;
+    property["description"] = describe(entry.rule, entry.display);
     schema["properties"][std::string(entry.rule.key)] = property;
     if (entry.rule.required) schema["required"].push_back(entry.rule.key);
   });
@@ -232,7 +244,7 @@ requires requires {
 }
 struct Codec<T> {
   static bool read(JsonReader& reader, const JsonValue& value, T& out, const Rule& rule) {
-    return reader.checkObject(value, rule, keysOf<T>()) && readFields(reader, value, out);
+    return reader.checkObject(value, rule, keysOf<T>(), retiredKeysOf<T>()) && readFields(reader, value, out);
   }
   static Json write(const T& value, const T& base, const Rule&) {
     Json object = Json::object();
@@ -309,8 +321,10 @@ struct TaggedCodec {
     std::vector<std::string> keys = keysOf<Owner>();
     keys.emplace_back(Names::kTag);
     for (std::string& key : keysOf<Shape>()) keys.push_back(std::move(key));
+    std::vector<RetiredKey> retired = retiredKeysOf<Owner>();
+    for (const RetiredKey& key : retiredKeysOf<Shape>()) retired.push_back(key);
     Shape shape;
-    if (!reader.checkObject(value, rule, keys) || !readFields(reader, value, out) ||
+    if (!reader.checkObject(value, rule, keys, retired) || !readFields(reader, value, out) ||
         !readFields(reader, value, shape)) {
       return false;
     }

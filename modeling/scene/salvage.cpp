@@ -149,6 +149,7 @@ sim::Result<SalvagedScene> salvageScene(std::string_view text, const std::string
     sim::Result<SceneFile> file = readScene(*document);
     if (file) {
       salvaged.scene = std::move(file->scene);
+      salvaged.notes = std::move(file->notes);
       return salvaged;
     }
     const sim::Problem& fault = file.problem();

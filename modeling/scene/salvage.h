@@ -14,6 +14,7 @@ struct SalvagedScene {
   Scene scene;
   std::vector<sim::Problem>
       faults;  ///< what was left out and why, in the order of being found; empty: nothing was
+  std::vector<sim::Problem> notes;  ///< as of SceneFile
 };
 
 /// Reads a scene as loadScene() does, but leaves out what cannot be read: a part, gluing, collider, track or

@@ -234,7 +234,6 @@ struct Step {
 
 struct Solver {
   sim::Method method = sim::Settings{}.method;
-  sim::Precision precision = sim::Settings{}.precision;
   Step step;
   double safety = sim::Settings{}.safety;
   Contact contact;

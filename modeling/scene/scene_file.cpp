@@ -30,7 +30,7 @@ bool readRoot(JsonReader& reader, const JsonValue& root, Scene& scene) {
   if (!readVersion(reader, root)) return false;
   std::vector<std::string> keys = keysOf<Scene>();
   keys.emplace_back(kVersionKey);
-  return reader.checkObject(root, {"the scene", {}, true, {}, false}, keys) &&
+  return reader.checkObject(root, {"the scene", {}, true, {}, false}, keys, retiredKeysOf<Scene>()) &&
          readFields(reader, root, scene);
 }
 
@@ -54,9 +54,10 @@ sim::Result<SceneFile> parseScene(std::string_view text, const std::string& sour
 }
 
 sim::Result<SceneFile> readScene(JsonDocument document) {
-  SceneFile file{{}, std::move(document)};
+  SceneFile file{{}, std::move(document), {}};
   JsonReader reader(file.document);
   if (!readRoot(reader, file.document.root, file.scene)) return *reader.problem();
+  file.notes = reader.notes();
   if (const sim::Status status = checkScene(file.scene); !status) return file.located(status.problem());
   return file;
 }

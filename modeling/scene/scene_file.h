@@ -18,6 +18,7 @@ inline constexpr int kSceneVersion = 1;
 struct SceneFile {
   Scene scene;
   JsonDocument document;
+  std::vector<sim::Problem> notes;  ///< what the reader read over, such as keys that are used no more
 
   /// The problem with a scene path for a place ("parts[2].reach") moved to FILE:LINE:COLUMN; others as they
   /// are.

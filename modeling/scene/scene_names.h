@@ -132,13 +132,6 @@ struct EnumNames<sim::Method> {
 };
 
 template <>
-struct EnumNames<sim::Precision> {
-  static std::vector<std::string> names() { return sim::precisionNames(); }
-  static std::optional<sim::Precision> find(std::string_view name) { return sim::precisionFromName(name); }
-  static std::string_view nameOf(sim::Precision precision) { return sim::nameOf(precision); }
-};
-
-template <>
 struct EnumNames<BondPattern> {
   static std::vector<std::string> names() { return bondPatternNames(); }
   static std::optional<BondPattern> find(std::string_view name) { return bondPatternFromName(name); }

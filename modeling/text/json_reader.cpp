@@ -98,14 +98,32 @@ bool JsonReader::checkList(const JsonValue& value, const Rule& rule, std::size_t
               "give " + wanted);
 }
 
-bool JsonReader::checkObject(const JsonValue& value, const Rule& rule, const std::vector<std::string>& keys) {
+bool JsonReader::checkObject(const JsonValue& value, const Rule& rule, const std::vector<std::string>& keys,
+                             std::span<const RetiredKey> retired) {
   if (value.object() == nullptr) return failKind(value, rule, "an object");
   for (const JsonMember& member : *value.object()) {
     if (std::find(keys.begin(), keys.end(), member.key) != keys.end()) continue;
+    const auto old = std::ranges::find(retired, member.key, &RetiredKey::key);
+    if (old != retired.end()) {
+      noteRetired(member, *old);
+      continue;
+    }
     return fail(member.position, "there is no key " + inQuotes(member.key) + " here",
                 didYouMean(member.key, keys));
   }
   return true;
+}
+
+void JsonReader::noteRetired(const JsonMember& member, const RetiredKey& retired) {
+  notes_.push_back({document_.place(member.position),
+                    inQuotes(member.key) + " means nothing since " + std::string(retired.since) + ", as " +
+                        std::string(retired.why),
+                    "take it out"});
+}
+
+std::string describe(const Rule& rule, const Display& display) {
+  const std::string_view unit = unitInFile(display.dimension);
+  return std::string(rule.help) + (unit.empty() ? "" : " Unit: " + std::string(unit) + ".");
 }
 
 Json writeAngle(double radians) {

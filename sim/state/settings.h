@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/collider/collider.h"
@@ -19,14 +17,6 @@ enum class Method {
 };
 inline constexpr std::size_t kMethods = 6;
 
-/// What forces of bonds are computed in; the state is double (docs/numerics.md, "Precision").
-enum class Precision { float64, float32 };
-
-/// "double", "float"; nothing for any other name.
-std::optional<Precision> precisionFromName(std::string_view name);
-std::string_view nameOf(Precision precision);
-const std::vector<std::string>& precisionNames();
-
 /// Natural length of the spring between two nodes in contact (docs/numerics.md, Contact 3).
 enum class ContactLength {
   nearest,  ///< min(r_i, r_j): safe where things break (default)
@@ -42,24 +32,17 @@ struct ContactSettings {
   double friction = 0.4;        ///< lateral force relative to k (rho - x) (Contact 6)
 };
 
-/// What is left out where a scene does not need it (docs/numerics.md, "What is skipped"). Switched off, the
-/// same is computed in full, to compare.
+/// What is left out of the motion of fragments where a scene does not need it (docs/numerics.md, "What is skipped").
+/// Switched off, it is computed in full, to compare.
 struct SkipSettings {
-  bool sleep = true;          ///< fragments at rest, until something wakes them
-  bool rigid = true;          ///< deformation of fragments that fly freely with no strain to speak of
-  bool contactSearch = true;  ///< where boxes of fragments and colliders are not near each other
-  bool labelling = true;      ///< fragments where nothing broke
-  bool recording = true;      ///< in takes, nodes that are where they were in a frame before
-  bool thresholds = true;     ///< tests of bonds that cannot break
-  bool damping = true;        ///< dampers of no strength
-  bool ledger = true;         ///< the account of energy between the moments at which it is read
+  bool sleep = true;  ///< fragments at rest, until something wakes them
+  bool rigid = true;  ///< deformation of fragments that fly freely with no strain to speak of
 
   bool operator==(const SkipSettings&) const = default;
 };
 
 struct Settings {
   Method method = Method::velocityVerlet;
-  Precision precision = Precision::float64;
   /// s; absent: automatic and stable (docs/numerics.md). Where contacts or tracks make the scene too stiff
   /// for it on the way, it is divided into equal parts.
   std::optional<double> step;

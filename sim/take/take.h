@@ -42,8 +42,6 @@ class TakeWriter {
   /// The snapshot must be of the take's network, not before the last frame in time, and each node's fragment
   /// among its fragments; flags of broken bonds and cells other than 0 are read back as 1.
   virtual Status appendFrame(const Snapshot& frame, const std::vector<BreakEvent>& eventsSinceLastFrame) = 0;
-  /// Nodes that stand and move, to the bit, as in a frame before are left out, unless this says otherwise.
-  virtual void leaveOutUnmoved(bool leaveOut) = 0;
   /// Nodes left out of the frames appended so far.
   virtual std::uint64_t nodesLeftOut() const = 0;
   /// A checkpoint belongs to the frame appended last; the last one given counts.

@@ -42,7 +42,6 @@ class FileTakeWriter final : public TakeWriter {
   Status appendScene(const std::string& scene) override { return putScene(ChunkKind::scene, scene); }
   Status beginScene(const std::string& scene) override { return putScene(ChunkKind::otherScene, scene); }
   Status finish(const std::string& outcome) override;
-  void leaveOutUnmoved(bool leaveOut) override { leaveOut_ = leaveOut; }
   std::uint64_t nodesLeftOut() const override { return nodesLeftOut_; }
 
  private:
@@ -56,12 +55,11 @@ class FileTakeWriter final : public TakeWriter {
   NetworkSize size_;
   Progress progress_;
   bool finished_ = false;
-  bool leaveOut_ = true;
   std::uint64_t nodesLeftOut_ = 0;
 };
 
 std::vector<std::uint8_t> FileTakeWriter::nodesToRecord(const Snapshot& frame) const {
-  const bool leans = leaveOut_ && progress_.wholeSequence != ChunkHeader::kNoBase &&
+  const bool leans = progress_.wholeSequence != ChunkHeader::kNoBase &&
                      progress_.nextFrame - progress_.wholeNumber < kFramesPerWhole;
   if (!leans) return {};
   std::vector<std::uint8_t> changed = changedNodes(frame, progress_.whole);

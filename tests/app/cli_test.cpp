@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -193,6 +194,16 @@ TEST_CASE("options change what they say, and settings anything") {
   CHECK(report["step_s"] == 1e-5);
   CHECK(report["steps"] == 100);
   CHECK(report["energy"]["kinetic"].get<double>() < 1e-12);  // nothing acts: only rounding moves it
+}
+
+TEST_CASE("a key that means nothing any more is told once on standard error, and the run is the same") {
+  const PlateFolder folder;
+  REQUIRE(simulate(folder, "new", "--until 0.002").status == 0);
+  const auto answer = simulate(folder, "old", "--until 0.002 --set solver.precision=float");
+  CHECK(answer.status == 0);
+  CHECK(answer.errors.starts_with("note: --set solver.precision:"));
+  CHECK(std::count(answer.errors.begin(), answer.errors.end(), '\n') == 1);
+  CHECK(folder.json("old.json")["state_hash"] == folder.json("new.json")["state_hash"]);
 }
 
 TEST_CASE("a tolerance makes the steps of a run shorter") {

@@ -199,14 +199,11 @@ TEST_CASE("whatever may change, the run goes on soundly") {
   SECTION("another method") {
     solver.method = GENERATE(sim::Method::rungeKutta, sim::Method::symplecticEuler);
   }
-  SECTION("float") {
-    solver.precision = sim::Precision::float32;
-  }
   SECTION("a tolerance") {
     solver.step.tolerance = 1e-3;
   }
   SECTION("nothing skipped") {
-    solver.skip.sleep = solver.skip.rigid = solver.skip.contactSearch = false;
+    solver.skip.sleep = solver.skip.rigid = false;
   }
   SECTION("no contact") {
     solver.contact.between = false;

@@ -170,9 +170,6 @@ TEST_CASE("other steps and methods replay as well") {
   SECTION("the midpoint rule") {
     scene.solver.method = sim::Method::implicitMidpoint;
   }
-  SECTION("in float") {
-    scene.solver.precision = sim::Precision::float32;
-  }
   SECTION("by a tolerance") {
     scene.solver.step.tolerance = 1e-3;
   }

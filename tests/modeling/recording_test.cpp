@@ -39,7 +39,6 @@ class RefusingTake final : public sim::TakeWriter {
   sim::Status appendCheckpoint(const std::vector<std::byte>& checkpoint) override {
     return refusesCheckpoints ? kFull : take_->appendCheckpoint(checkpoint);
   }
-  void leaveOutUnmoved(bool leaveOut) override { take_->leaveOutUnmoved(leaveOut); }
   std::uint64_t nodesLeftOut() const override { return take_->nodesLeftOut(); }
   sim::Status appendScene(const std::string& scene) override { return take_->appendScene(scene); }
   sim::Status beginScene(const std::string& scene) override { return take_->beginScene(scene); }

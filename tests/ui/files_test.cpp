@@ -210,4 +210,25 @@ TEST_CASE("A file that is no scene is reported and changes nothing") {
   CHECK(session.document().scene() == before);
 }
 
+TEST_CASE("A scene with keys that mean nothing any more opens, and the person is told") {
+  const QTemporaryDir place;
+  const fs::path file = pathOf(place) / "old.scene.json";
+  std::ofstream(file) << R"({"smithereens": 1, "materials": {"clay": {}},
+ "parts": [{"name": "slab", "kind": "slab", "material": "clay", "size": [3, 3, 1]}],
+ "solver": {"precision": "float", "skip": {"ledger": false}}})";
+  ui::Session session(pathOf(place) / "takes");
+  ui::MainWindow window(session);
+  window.show();
+  REQUIRE(QTest::qWaitForWindowExposed(&window));
+  window.showViewport();
+  std::string said;
+  QObject::connect(&session, &ui::Session::problemFound, &window,
+                   [&](const sim::Problem& problem) { said = problem.line(); });
+  window.files().open(file);
+  CHECK(session.document().scene().parts.size() == 1);
+  CHECK(said.find("old.scene.json:3:") != std::string::npos);
+  CHECK(said.find("\"precision\" means nothing since") != std::string::npos);
+  CHECK(said.find("1 more such key") != std::string::npos);
+}
+
 }  // namespace

@@ -1,11 +1,13 @@
 // Takes pictures of all of the window, for docs/guide/the-window.md and to be looked at:
-//   draw-window FOLDER [THEME]...
+//   draw-window FOLDER [THEME]... [PART]...
 // on a screen that the window fills. docs/guide/draw does it.
 #include <QApplication>
 #include <QCheckBox>
 #include <QDir>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <fstream>
 
@@ -23,6 +25,7 @@
 #include "ui/panels/diagnostics_panel.h"
 #include "ui/panels/live_panel.h"
 #include "ui/panels/preflight_dialog.h"
+#include "ui/panels/section.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/timeline.h"
 #include "ui/timeline/track_rows.h"
@@ -94,6 +97,9 @@ Scene oneOfEach(const std::filesystem::path& folder) {
   std::filesystem::copy_file(modeling::resourcesFolder() / "scenes" / "meshes" / "fluted-vase.obj",
                              folder / "fluted-vase.obj");
   ui::addMesh(scene, "fluted-vase.obj", {});
+  ui::addMeshObstacle(scene, "fluted-vase.obj");
+  scene.environment.colliders.back().name = "mesh in the way";
+  scene.environment.colliders.back().active = {0.1, 0.25};
   scene.tracks = fallingCup().tracks;
   return scene;
 }
@@ -145,6 +151,11 @@ void takeProperties(WindowStudio& studio) {
   QWidget& panel = studio.find("properties");
   studio.take("outliner", &studio.find("outliner"));
   studio.take("properties-scene", &panel);
+  for (auto* section : panel.findChildren<ui::Section*>()) section->setOpen(true);
+  studio.settle();
+  QScrollBar* bar = panel.findChild<QScrollArea*>()->verticalScrollBar();
+  bar->setValue(bar->maximum());
+  studio.take("properties-scene-view", &panel);
   for (const ItemKind kind :
        {ItemKind::part, ItemKind::gluing, ItemKind::collider, ItemKind::material, ItemKind::track}) {
     for (std::size_t i = 0; i < ui::countOf(scene, kind); ++i) {
@@ -407,26 +418,20 @@ void takeRecent(WindowStudio& studio) {
   studio.take("gallery-with-recent");
 }
 
-void takeAll(WindowStudio& studio) {
-  takeGallery(studio);
-  takeEmptyScene(studio);
-  takeAuthoring(studio);
-  takeFirstCup(studio);
-  takeProperties(studio);
-  takeEditors(studio);
-  takeThreshold(studio);
-  takeRun(studio);
-  takeDiagnostics(studio);
-  takeViews(studio);
-  takeInspector(studio);
-  takeRender(studio);
-  takeDialogs(studio);
-  takeProblems(studio);
-  takeRecovery(studio);
-  takeMenus(studio);
-  takeLongRun(studio);
-  takeRecent(studio);
-}
+struct Part {
+  const char* name;
+  void (*take)(WindowStudio&);
+};
+
+constexpr Part kParts[] = {{"gallery", takeGallery},         {"empty-scene", takeEmptyScene},
+                           {"authoring", takeAuthoring},     {"first-cup", takeFirstCup},
+                           {"properties", takeProperties},   {"editors", takeEditors},
+                           {"threshold", takeThreshold},     {"run", takeRun},
+                           {"diagnostics", takeDiagnostics}, {"views", takeViews},
+                           {"inspector", takeInspector},     {"render", takeRender},
+                           {"dialogs", takeDialogs},         {"problems", takeProblems},
+                           {"recovery", takeRecovery},       {"menus", takeMenus},
+                           {"long-run", takeLongRun},        {"recent", takeRecent}};
 
 }  // namespace
 
@@ -440,11 +445,17 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setCursorFlashTime(0);
   QStringList arguments = QApplication::arguments().mid(1);
-  if (arguments.isEmpty()) qFatal("draw-window FOLDER [dark|light]...");
+  if (arguments.isEmpty()) qFatal("draw-window FOLDER [dark|light]... [PART]...");
   const QString folder = arguments.takeFirst();
-  if (arguments.isEmpty()) arguments = {"dark", "light"};
-  ui::Theme::instance().apply(arguments.front() == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark);
-  WindowStudio studio(folder, arguments);
-  takeAll(studio);
+  QStringList themes;
+  for (const char* theme : {"dark", "light"}) {
+    if (arguments.removeAll(QLatin1String(theme)) > 0) themes.append(QLatin1String(theme));
+  }
+  if (themes.isEmpty()) themes = {"dark", "light"};
+  ui::Theme::instance().apply(themes.front() == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark);
+  WindowStudio studio(folder, themes);
+  for (const Part& part : kParts) {
+    if (arguments.isEmpty() || arguments.contains(QLatin1String(part.name))) part.take(studio);
+  }
   return 0;
 }

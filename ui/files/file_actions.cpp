@@ -146,7 +146,18 @@ void FileActions::openScene(const fs::path& file) {
   session_.document().reset(std::move(salvaged->scene), file);
   recent_.add(file);
   emit opened();
+  if (!salvaged->notes.empty()) tell(salvaged->notes);
   if (!salvaged->faults.empty()) showFaults(salvaged->faults);
+}
+
+/// Keys that mean nothing any more are gone with the next saving.
+void FileActions::tell(const std::vector<sim::Problem>& notes) {
+  const sim::Problem& first = notes.front();
+  std::string remedy = "save the scene to leave it out";
+  if (notes.size() > 1)
+    remedy = "save the scene to leave out this and " + std::to_string(notes.size() - 1) +
+             (notes.size() == 2 ? " more such key" : " more such keys");
+  session_.report({first.place, first.what, remedy});
 }
 
 /// What is open now lacks what was left out: it counts as changed, and is not saved over the file without

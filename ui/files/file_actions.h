@@ -46,6 +46,7 @@ class FileActions : public QObject {
   void askWhatToOpen();
   void openScene(const std::filesystem::path& file);
   void openTake(const std::filesystem::path& file);
+  void tell(const std::vector<sim::Problem>& notes);
   void showFaults(const std::vector<sim::Problem>& faults);
   void showRecent(QMenu& menu);
 

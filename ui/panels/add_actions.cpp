@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "modeling/import/mesh_file.h"
+#include "ui/document/stored_path.h"
 #include "ui/panels/dish_picture.h"
 #include "ui/theme/theme.h"
 
@@ -19,15 +20,6 @@ namespace {
 
 QIcon iconFor(const NewThing& thing) {
   return thing.preset ? dishIcon(*thing.preset) : Theme::icon(iconNameOf(thing));
-}
-
-/// A path as the scene keeps it: relative where the file lies beside or below the scene.
-std::string storedPath(const QString& file, const std::filesystem::path& folder) {
-  const std::filesystem::path path(file.toStdString());
-  if (folder.empty()) return path.generic_string();
-  const std::filesystem::path relative = path.lexically_relative(folder);
-  const bool below = !relative.empty() && *relative.begin() != "..";
-  return (below ? relative : path).generic_string();
 }
 
 }  // namespace
@@ -96,7 +88,7 @@ void AddActions::addNetworkFile() {
   if (types == 0)
     return session_.report({file.toStdString(), "this is no LAMMPS data file with bonds",
                             "choose a file that says \"N bond types\" in its head"});
-  const std::string path = storedPath(file, session_.document().folder());
+  const std::string path = storedPath(file.toStdString(), session_.document().folder());
   finish(tr("Add Network"), [&](modeling::Scene& scene) { return addNetwork(scene, path, types); });
 }
 
@@ -131,7 +123,7 @@ void AddActions::askAboutMesh(const std::filesystem::path& file) {
 }
 
 void AddActions::addMeshOf(const QString& file, bool obstacle) {
-  const std::string path = storedPath(file, session_.document().folder());
+  const std::string path = storedPath(file.toStdString(), session_.document().folder());
   const std::vector<Item> selected = session_.selection().items();
   finish(obstacle ? tr("Add Obstacle") : tr("Add Mesh"), [&](modeling::Scene& scene) {
     return obstacle ? addMeshObstacle(scene, path) : addMesh(scene, path, selected);

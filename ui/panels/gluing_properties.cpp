@@ -2,10 +2,9 @@
 #include <QPushButton>
 
 #include "ui/document/scene_edits.h"
-#include "ui/panels/fieldset.h"
+#include "ui/panels/field_rows.h"
 #include "ui/panels/item_properties.h"
 #include "ui/panels/plain_fields.h"
-#include "ui/panels/section.h"
 
 namespace ui {
 namespace {
@@ -17,13 +16,12 @@ Gluing* gluingOf(Scene& scene, const Item& item) {
   return item.index < scene.glue.size() ? &scene.glue[item.index] : nullptr;
 }
 
-void addPartChoice(PropertyForm& form, std::string Gluing::*member, const QString& text) {
-  Fieldset<Gluing> fields(form, "", gluingOf);
+void addPartChoice(PropertyForm& form, std::string Gluing::*member, const RowLabel& label) {
   std::vector<std::pair<QString, QVariant>> parts;
   for (const std::string& name : namesOf(form.session().document().scene(), ItemKind::part))
     parts.emplace_back(QString::fromStdString(name), QString::fromStdString(name));
   form.addChoice(
-      fields.labelOf(member, text), parts,
+      label, parts,
       [member](Scene& scene, const Item& item) -> QVariant {
         const Gluing* gluing = gluingOf(scene, item);
         return gluing ? QVariant(QString::fromStdString(gluing->*member)) : QVariant();
@@ -71,7 +69,7 @@ void addReport(PropertyForm& form) {
 }
 
 /// What was picked node by node, with a button to go back to the reach alone.
-void addPicked(PropertyForm& form) {
+void addPicked(PropertyForm& form, const RowLabel& label) {
   auto* picked = new QWidget(&form);
   auto* row = new QHBoxLayout(picked);
   row->setContentsMargins(0, 0, 0, 0);
@@ -91,7 +89,7 @@ void addPicked(PropertyForm& form) {
                           ? PropertyForm::tr("Nodes taken out: %L1").arg(gluing->exclude.size())
                           : PropertyForm::tr("Pairs picked by hand: %L1").arg(gluing->pairs.size()));
       },
-      ".pairs");
+      label);
   QObject::connect(clear, &QPushButton::clicked, &form, [&form] {
     form.apply(PropertyForm::tr("Glue"), [](Scene& scene, const Item& item) {
       Gluing* gluing = gluingOf(scene, item);
@@ -103,46 +101,27 @@ void addPicked(PropertyForm& form) {
   });
 }
 
-void addRegion(PropertyForm& form) {
-  form.beginSection(PropertyForm::tr("Only Within"));
-  auto* limit = new QPushButton(&form);
-  limit->setToolTip(
-      PropertyForm::tr("A box in coordinates of the first part: only its nodes inside are glued"));
-  form.addWide(limit, [&form, limit](Scene& scene) {
-    const Gluing* gluing = gluingOf(scene, form.current());
-    limit->setText(gluing && gluing->region ? PropertyForm::tr("Glue Everywhere")
-                                            : PropertyForm::tr("Limit to a Box"));
-  });
-  QObject::connect(limit, &QPushButton::clicked, &form, [&form] {
-    form.apply(PropertyForm::tr("Region"), [](Scene& scene, const Item& item) {
-      Gluing* gluing = gluingOf(scene, item);
-      if (!gluing) return;
-      const bool limited = gluing->region.has_value();
-      gluing->region.reset();
-      if (!limited) gluing->region = modeling::Box{sim::Vec3::Constant(-20.0), sim::Vec3::Constant(20.0)};
-    });
-  });
-  const Gluing& shown = form.session().document().scene().glue[form.current().index];
-  if (!shown.region) return;
-  Fieldset<modeling::Box> box(form, ".region", [](Scene& scene, const Item& item) -> modeling::Box* {
-    Gluing* gluing = gluingOf(scene, item);
-    return gluing && gluing->region ? &*gluing->region : nullptr;
-  });
-  box.vector(&modeling::Box::min, PropertyForm::tr("From, cm"), Dimension::length, 0.2);
-  box.vector(&modeling::Box::max, PropertyForm::tr("To, cm"), Dimension::length, 0.2);
+/// A box about the first part, in its own coordinates, to be made smaller.
+void beginRegion(Scene& scene, const Item& item) {
+  constexpr double kHalfSize = 20.0;  // cm
+  if (Gluing* gluing = gluingOf(scene, item))
+    gluing->region = modeling::Box{sim::Vec3::Constant(-kHalfSize), sim::Vec3::Constant(kHalfSize)};
 }
 
 }  // namespace
 
 void addGluingProperties(PropertyForm& form) {
   form.beginSection(PropertyForm::tr("Glue"));
-  addPartChoice(form, &Gluing::a, PropertyForm::tr("Part"));
-  addPartChoice(form, &Gluing::b, PropertyForm::tr("Glued to"));
-  Fieldset<Gluing> fields(form, "", gluingOf);
-  fields.number(&Gluing::reach, PropertyForm::tr("Reach"), Dimension::length, 0.05);
-  addPicked(form);
+  FieldRows gluing(form, "", gluingOf);
+  addPartChoice(form, &Gluing::a, gluing.label("a"));
+  addPartChoice(form, &Gluing::b, gluing.label("b"));
+  const RowLabel pairs = gluing.label("pairs");
+  gluing.leaveOut("exclude");
+  gluing.leaveOut("region");
+  gluing.addRest();
+  addPicked(form, pairs);
   addReport(form);
-  addRegion(form);
+  gluing.add("region", beginRegion);
 }
 
 }  // namespace ui

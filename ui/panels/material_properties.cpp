@@ -3,12 +3,11 @@
 #include "modeling/scene/resources.h"
 #include "ui/document/scene_edits.h"
 #include "ui/panels/cell_drawing.h"
-#include "ui/panels/fieldset.h"
+#include "ui/panels/field_rows.h"
 #include "ui/panels/item_icons.h"
 #include "ui/panels/item_properties.h"
 #include "ui/panels/plain_fields.h"
 #include "ui/panels/sample_preview.h"
-#include "ui/panels/section.h"
 
 namespace ui {
 namespace {
@@ -75,21 +74,11 @@ void addPreset(PropertyForm& form) {
   }
 }
 
-void addSubstance(PropertyForm& form) {
-  form.beginSection(PropertyForm::tr("Substance"));
-  Fieldset<Material> fields(form, "", valuesOf);
-  NumberField* stiffness =
-      fields.number(&Material::youngsModulus, PropertyForm::tr("Stiffness"), Dimension::pressure, 1e7, true);
-  stiffness->setToolTip(PropertyForm::tr("Young's modulus: porcelain 70 GPa, rubber 1.5 MPa, jelly 4 kPa."));
-  fields.number(&Material::density, PropertyForm::tr("Density"), Dimension::density, 0.1);
-  fields.number(&Material::lossFactor, PropertyForm::tr("Loss factor"), Dimension::number, 0.02);
-}
-
-void addBreaking(PropertyForm& form) {
-  form.beginSection(PropertyForm::tr("Breaking"));
+void addBreakingChoice(PropertyForm& form, RowLabel label) {
+  label.text = PropertyForm::tr("Breaks at");
+  label.help = PropertyForm::tr("What decides when a bond breaks; one measure at a time.");
   form.addChoice(
-      {PropertyForm::tr("Breaks at"),
-       PropertyForm::tr("What decides when a bond breaks; one measure at a time."), ".threshold"},
+      label,
       {{PropertyForm::tr("Never"), static_cast<int>(Breaking::never)},
        {PropertyForm::tr("A strain"), static_cast<int>(Breaking::strain)},
        {PropertyForm::tr("Its strength"), static_cast<int>(Breaking::strength)},
@@ -102,79 +91,35 @@ void addBreaking(PropertyForm& form) {
         if (Material* material = valuesOf(scene, item))
           setBreaking(*material, static_cast<Breaking>(data.toInt()));
       });
-  const Material& shown = form.session().document().scene().materials[form.current().index].values;
-  const Breaking breaking = breakingOf(shown);
-  const QString none = PropertyForm::tr("none");
-  Fieldset<Material> fields(form, "", valuesOf);
-  Fieldset<modeling::ThresholdSpec> threshold(form, ".threshold", [](Scene& scene, const Item& item) {
-    Material* material = valuesOf(scene, item);
-    return material ? &material->threshold : nullptr;
-  });
-  if (breaking == Breaking::strain)
-    threshold.number(&modeling::ThresholdSpec::mean, PropertyForm::tr("Strain"), Dimension::share, 0.005,
-                     none, true);
-  if (breaking == Breaking::strength)
-    fields.number(&Material::strength, PropertyForm::tr("Strength"), Dimension::pressure, 1e6, none, true);
-  if (breaking == Breaking::toughness)
-    fields.number(&Material::fractureToughness, PropertyForm::tr("Toughness"), Dimension::toughness, 1e7,
-                  none, true);
-  if (breaking != Breaking::never)
-    threshold.number(&modeling::ThresholdSpec::spread, PropertyForm::tr("Spread"), Dimension::share, 0.02);
 }
 
-void addPlastic(PropertyForm& form) {
-  form.beginSection(PropertyForm::tr("Staying Bent"));
-  auto* flows = new CheckField(PropertyForm::tr("Flows beyond a strain"), &form);
-  flows->setObjectName(QStringLiteral("plastic"));
-  form.addRow({{}, PropertyForm::tr("Plastic flow: what is bent far enough stays bent."), ".plastic"}, flows,
-              [&form, flows](Scene& scene) {
-                const Material* material = valuesOf(scene, form.current());
-                flows->setChecked(material && material->plastic);
-              });
-  QObject::connect(flows, &QAbstractButton::clicked, &form, [&form](bool checked) {
-    form.apply(PropertyForm::tr("Plastic Flow"), [checked](Scene& scene, const Item& item) {
-      Material* material = valuesOf(scene, item);
-      if (!material || material->plastic.has_value() == checked) return;
-      material->plastic.reset();
-      if (checked) material->plastic = modeling::Plastic{0.01, 100.0};
-    });
+/// Of the measures only the one that decides is shown.
+void addBreaking(PropertyForm& form, FieldRows& material, const RowLabel& label) {
+  form.beginSection(label.text);
+  addBreakingChoice(form, label);
+  FieldRows threshold(form, label.path, [](Scene& scene, const Item& item) -> modeling::ThresholdSpec* {
+    Material* values = valuesOf(scene, item);
+    return values && breakingOf(*values) != Breaking::never ? &values->threshold : nullptr;
   });
-  if (!form.session().document().scene().materials[form.current().index].values.plastic) return;
-  Fieldset<modeling::Plastic> fields(form, ".plastic",
-                                     [](Scene& scene, const Item& item) -> modeling::Plastic* {
-                                       Material* material = valuesOf(scene, item);
-                                       return material && material->plastic ? &*material->plastic : nullptr;
-                                     });
-  fields.number(&modeling::Plastic::yieldStrain, PropertyForm::tr("Yields at"), Dimension::share, 0.001,
-                true);
-  fields.number(&modeling::Plastic::rate, PropertyForm::tr("Rate"), Dimension::rate, 1.0, true);
+  threshold.add("mean");
+  material.add("strength");
+  material.add("fractureToughness");
+  threshold.addRest();
 }
 
-void addPattern(PropertyForm& form) {
+/// Flow that a person sees, where it has just been wanted.
+void beginPlastic(Scene& scene, const Item& item) {
+  if (Material* material = valuesOf(scene, item)) material->plastic = modeling::Plastic{0.01, 100.0};
+}
+
+void addPattern(PropertyForm& form, FieldRows& material) {
   form.beginSection(PropertyForm::tr("Bonds of a Cell"));
-  Fieldset<Material> fields(form, "", valuesOf);
-  fields.choice(
-      &Material::pattern, PropertyForm::tr("Pattern"),
-      {PropertyForm::tr("Full: rigid, alike all ways"), PropertyForm::tr("Edges and body diagonals"),
-       PropertyForm::tr("Edges and one diagonal a face"), PropertyForm::tr("Edges and face diagonals")});
+  material.add("pattern");
   auto* drawing = new CellDrawing(&form);
   drawing->setToolTip(PropertyForm::tr("Edges grey, diagonals of faces blue, of the body yellow"));
   form.addWide(drawing, [&form, drawing](Scene& scene) {
-    if (const Material* material = valuesOf(scene, form.current())) drawing->setPattern(material->pattern);
+    if (const Material* shown = valuesOf(scene, form.current())) drawing->setPattern(shown->pattern);
   });
-}
-
-void addLook(PropertyForm& form) {
-  form.beginSection(PropertyForm::tr("Look"));
-  Fieldset<modeling::Look> fields(form, ".look", [](Scene& scene, const Item& item) {
-    Material* material = valuesOf(scene, item);
-    return material ? &material->look : nullptr;
-  });
-  fields.colour(&modeling::Look::outside, PropertyForm::tr("Outside"));
-  fields.colour(&modeling::Look::inside, PropertyForm::tr("Where broken"));
-  fields.number(&modeling::Look::glaze, PropertyForm::tr("Glaze"), Dimension::number, 0.05);
-  fields.choice(&modeling::Look::finish, PropertyForm::tr("In pictures"),
-                {PropertyForm::tr("Glazed"), PropertyForm::tr("Matte"), PropertyForm::tr("Glass")});
 }
 
 void addSample(PropertyForm& form) {
@@ -196,21 +141,25 @@ void addUse(PropertyForm& form) {
     for (const std::string& name : usersOf(scene, material.name)) parts << QString::fromStdString(name);
     use->setText(parts.isEmpty() ? PropertyForm::tr("Nothing is made of it yet.")
                                  : PropertyForm::tr("Used by %1.").arg(parts.join(QStringLiteral(", "))));
-    use->setToolTip(QString::fromStdString(material.values.source));
   });
 }
 
 }  // namespace
 
 void addMaterialProperties(PropertyForm& form) {
+  FieldRows material(form, "", valuesOf);
+  const RowLabel breaking = material.label("threshold");
+  for (const char* later : {"strength", "fractureToughness", "plastic", "pattern", "look"})
+    material.leaveOut(later);
   addPreset(form);
   addUse(form);
   addSample(form);
-  addSubstance(form);
-  addBreaking(form);
-  addPlastic(form);
-  addPattern(form);
-  addLook(form);
+  form.beginSection(PropertyForm::tr("Substance"));
+  material.addRest();
+  addBreaking(form, material, breaking);
+  material.add("plastic", beginPlastic);
+  addPattern(form, material);
+  material.add("look");
 }
 
 }  // namespace ui

@@ -86,7 +86,7 @@ QSize ColourField::sizeHint() const {
 
 void ColourField::choose() {
   const QColor before = value_;
-  QColorDialog dialog(before, this);
+  QColorDialog dialog(before.isValid() ? before : QColor(Qt::gray), this);
   dialog.setWindowTitle(toolTip().isEmpty() ? tr("Colour") : toolTip());
   connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
     setValue(colour);
@@ -102,8 +102,11 @@ void ColourField::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(hasFocus() ? colours.accent : underMouse() ? colours.dimText : colours.line);
-  painter.setBrush(value_);
+  painter.setBrush(value_.isValid() ? value_ : colours.field);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+  if (value_.isValid()) return;
+  painter.setPen(colours.dimText);
+  painter.drawText(rect().adjusted(8, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter, absentText_);
 }
 
 }  // namespace ui

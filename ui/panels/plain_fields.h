@@ -54,12 +54,14 @@ class ChoiceField : public QComboBox {
   void wheelEvent(QWheelEvent* event) override;
 };
 
-/// A swatch that opens a colour chooser. What is tried there counts at once, as one edit.
+/// A swatch that opens a colour chooser. What is tried there counts at once, as one edit. A colour that is
+/// not valid stands for none, which is shown in words.
 class ColourField : public QToolButton {
   Q_OBJECT
 
  public:
   explicit ColourField(QWidget* parent = nullptr);
+  void setAbsentText(const QString& text) { absentText_ = text; }
   QColor value() const { return value_; }
   void setValue(const QColor& colour);
   QSize sizeHint() const override;
@@ -73,6 +75,7 @@ class ColourField : public QToolButton {
  private:
   void choose();
   QColor value_;
+  QString absentText_;
 };
 
 }  // namespace ui

@@ -178,23 +178,14 @@ std::string structureOf(const modeling::Scene& scene, const std::vector<Item>& i
   }
   if (item.kind == ItemKind::part) {
     const modeling::PartShape& shape = scene.parts[item.index].shape;
-    if (const auto* sweep = std::get_if<modeling::CurvedCylinderShape>(&shape)) {
+    // Directions of cells are called otherwise.
+    if (const auto* sweep = std::get_if<modeling::CurvedCylinderShape>(&shape))
       add(static_cast<int>(sweep->section));
-      add(sweep->secondRail.empty() ? 1 : 2);
-    }
     if (const auto* network = std::get_if<modeling::NetworkShape>(&shape)) {
       for (const modeling::NamedBondType& type : network->bondTypes) structure += type.type + ' ';
     }
   }
-  if (item.kind == ItemKind::material) {
-    const modeling::Material& material = scene.materials[item.index].values;
-    add(material.threshold.mean ? 1 : 0);
-    add(material.strength ? 1 : 0);
-    add(material.fractureToughness ? 1 : 0);
-    add(material.plastic ? 1 : 0);
-  }
   if (item.kind == ItemKind::gluing) {
-    add(scene.glue[item.index].region ? 1 : 0);
     for (const std::string& name : namesOf(scene, ItemKind::part)) structure += name + '\n';
   }
   if (item.kind == ItemKind::track) {

@@ -1,8 +1,10 @@
 #include "ui/panels/property_form.h"
 
 #include <QLabel>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/panels/file_field.h"
 #include "ui/panels/plain_fields.h"
 #include "ui/panels/section.h"
 #include "ui/panels/vector_field.h"
@@ -76,8 +78,16 @@ std::string PropertyForm::itemPath() const {
   return "";
 }
 
-Section* PropertyForm::beginSection(const QString& title) {
-  section_ = new Section(title, this);
+std::vector<std::string> PropertyForm::paths() const {
+  std::vector<std::string> paths;
+  for (const Row& row : rows_) {
+    if (!row.path.empty()) paths.push_back(row.path);
+  }
+  return paths;
+}
+
+Section* PropertyForm::beginSection(const QString& title, bool open) {
+  section_ = new Section(title, open, this);
   column_->insertWidget(column_->count() - 1, section_);
   return section_;
 }
@@ -90,7 +100,8 @@ PropertyForm::Row& PropertyForm::insert(const RowLabel& label, QWidget* field, b
   auto* line = new QHBoxLayout;
   line->setSpacing(6);
   if (!wide) {
-    auto* name = new QLabel(label.text, row);
+    const bool unitSaid = !label.unit.isEmpty();
+    auto* name = new QLabel(unitSaid ? label.text + QStringLiteral(", ") + label.unit : label.text, row);
     name->setFixedWidth(kLabelWidth);
     name->setToolTip(label.help);
     name->setBuddy(field);
@@ -108,7 +119,7 @@ PropertyForm::Row& PropertyForm::insert(const RowLabel& label, QWidget* field, b
     column_->insertWidget(column_->count() - 1, row);
   }
   const bool named = !label.path.empty();
-  rows_.push_back({named ? itemPath() + label.path : std::string(), row, field, problem, {}});
+  rows_.push_back({named ? itemPath() + label.path : std::string(), row, field, problem, label.counts, {}});
   if (named && rows_.back().path.starts_with('.')) rows_.back().path.erase(0, 1);
   return rows_.back();
 }
@@ -120,9 +131,9 @@ QWidget* PropertyForm::addRow(const RowLabel& label, QWidget* field,
   return row.widget;
 }
 
-void PropertyForm::addWide(QWidget* content, const std::function<void(Scene&)>& show,
-                           const std::string& path) {
-  insert({{}, content->toolTip(), path}, content, true).show = show;
+void PropertyForm::addWide(QWidget* content, const std::function<void(Scene&)>& show, const RowLabel& label) {
+  const QString help = content->toolTip().isEmpty() ? label.help : content->toolTip();
+  insert({{}, help, label.path, {}, label.counts}, content, true).show = show;
 }
 
 NumberField* PropertyForm::addNumber(const RowLabel& label, const NumberFormat& format,
@@ -224,6 +235,23 @@ TextField* PropertyForm::addText(const RowLabel& label, const Read<QString>& rea
   return field;
 }
 
+FileField* PropertyForm::addFile(const RowLabel& label, const QString& patterns,
+                                 const std::function<std::string*(Scene&, const Item&)>& place) {
+  auto* field = new FileField(patterns, this);
+  field->setObjectName(QString::fromStdString(label.path));
+  addRow(label, field, [this, field, place](Scene& scene) {
+    field->setFolder(QString::fromStdString(session_.document().folder().string()));
+    if (const std::string* path = place(scene, current())) field->setValue(QString::fromStdString(*path));
+  });
+  connect(field, &FileField::edited, this, [this, label, place](const QString& path) {
+    apply(label.text, [&](Scene& scene, const Item& item) {
+      if (std::string* value = place(scene, item)) *value = path.toStdString();
+    });
+    showScene();
+  });
+  return field;
+}
+
 ColourField* PropertyForm::addColour(const RowLabel& label,
                                      const std::function<modeling::Colour*(Scene&, const Item&)>& place) {
   auto* field = new ColourField(this);
@@ -241,6 +269,47 @@ ColourField* PropertyForm::addColour(const RowLabel& label,
         },
         finished);
   });
+  return field;
+}
+
+ColourField* PropertyForm::addColour(
+    const RowLabel& label, const QString& absent,
+    const std::function<std::optional<modeling::Colour>*(Scene&, const Item&)>& place) {
+  auto* both = new QWidget(this);
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  auto* field = new ColourField(both);
+  field->setAbsentText(absent);
+  field->setObjectName(QString::fromStdString(label.path));
+  auto* remove = new QToolButton(both);
+  remove->setIcon(Theme::icon(QStringLiteral("remove")));
+  remove->setToolTip(tr("Back to “%1”").arg(absent));
+  row->addWidget(field, 1);
+  row->addWidget(remove);
+  both->setFocusProxy(field);
+  addRow(label, both, [this, field, remove, place](Scene& scene) {
+    const std::optional<modeling::Colour>* colour = place(scene, current());
+    const bool given = colour && *colour;
+    field->setValue(given ? colourOf(**colour) : QColor());
+    remove->setEnabled(given);
+  });
+  const auto take = [this, label, place](const QColor& colour, bool finished) {
+    apply(
+        label.text,
+        [&](Scene& scene, const Item& item) {
+          std::optional<modeling::Colour>* value = place(scene, item);
+          if (!value) return;
+          if (!colour.isValid()) {
+            value->reset();
+          } else if (!*value || colourOf(**value) != colour) {
+            *value = {colour.redF(), colour.greenF(), colour.blueF()};
+          }
+        },
+        finished);
+  };
+  connect(field, &ColourField::edited, this, take);
+  connect(remove, &QToolButton::clicked, this, [take] { take(QColor(), true); });
   return field;
 }
 
@@ -264,7 +333,9 @@ void PropertyForm::showScene() {
   Scene scene = session_.document().scene();
   if (current().index >= countOf(scene, current().kind)) return;
   for (const Row& row : rows_) {
-    if (row.show) row.show(scene);
+    const bool counts = !row.counts || row.counts(scene, current());
+    row.widget->setVisible(counts);
+    if (counts && row.show) row.show(scene);
   }
 }
 

@@ -16,19 +16,24 @@ namespace ui {
 
 class ChoiceField;
 class ColourField;
+class FileField;
 class Section;
 class TextField;
 class VectorField;
 
 /// What stands before a field, and where in the scene's file its value is.
 struct RowLabel {
+  using Counts = std::function<bool(modeling::Scene&, const Item&)>;
+
   QString text;
   QString help;      ///< the tooltip
   std::string path;  ///< behind the item's own, as in ".resolution.cellSize"
+  QString unit{};    ///< said behind the text, where the field does not show it
+  Counts counts{};   ///< whether the value is looked at; the row is hidden where it is not
 };
 
 /// The properties of one item of the scene, or of several of one kind, as rows in sections. A row reads from
-/// the scene and writes into it, for each of the items; one that cannot be read in the last item is hidden.
+/// the scene and writes into it, for each of the items.
 class PropertyForm : public QWidget {
   Q_OBJECT
 
@@ -48,9 +53,11 @@ class PropertyForm : public QWidget {
   const Item& current() const { return items_.back(); }
   /// Such as "parts[2]"; "" for the scene.
   std::string itemPath() const;
+  /// Where in the scene's file the values of the rows are, whether they are hidden at present or not.
+  std::vector<std::string> paths() const;
 
-  /// Rows that follow stand in it.
-  Section* beginSection(const QString& title);
+  /// Rows that follow stand in it. It is folded at first where it is not `open`, until a person opens it.
+  Section* beginSection(const QString& title, bool open = true);
   void endSection() { section_ = nullptr; }
 
   NumberField* addNumber(const RowLabel& label, const NumberFormat& format, const Read<MaybeNumber>& read,
@@ -63,12 +70,18 @@ class PropertyForm : public QWidget {
   ChoiceField* addChoice(const RowLabel& label, const std::vector<std::pair<QString, QVariant>>& choices,
                          const Read<QVariant>& read, const Write<QVariant>& write);
   TextField* addText(const RowLabel& label, const Read<QString>& read, const Write<QString>& write);
+  /// A path, relative to the scene's folder where it can be, of a file of these patterns.
+  FileField* addFile(const RowLabel& label, const QString& patterns,
+                     const std::function<std::string*(Scene&, const Item&)>& place);
   ColourField* addColour(const RowLabel& label,
                          const std::function<modeling::Colour*(Scene&, const Item&)>& place);
+  /// One that may be absent, which `absent` says in words, with a button that takes it away.
+  ColourField* addColour(const RowLabel& label, const QString& absent,
+                         const std::function<std::optional<modeling::Colour>*(Scene&, const Item&)>& place);
   /// A field of another kind; `show` brings it up to date.
   QWidget* addRow(const RowLabel& label, QWidget* field, const std::function<void(Scene&)>& show);
-  /// Across the whole width.
-  void addWide(QWidget* content, const std::function<void(Scene&)>& show = {}, const std::string& path = {});
+  /// Across the whole width, without the label's text.
+  void addWide(QWidget* content, const std::function<void(Scene&)>& show = {}, const RowLabel& label = {});
 
   /// Brings all rows up to date.
   void showScene();
@@ -86,6 +99,7 @@ class PropertyForm : public QWidget {
     QWidget* widget = nullptr;
     QWidget* field = nullptr;
     QLabel* problem = nullptr;
+    RowLabel::Counts counts;
     std::function<void(Scene&)> show;
   };
   Row& insert(const RowLabel& label, QWidget* field, bool wide);

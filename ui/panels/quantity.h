@@ -4,28 +4,13 @@
 #include <optional>
 #include <span>
 
+#include "modeling/text/dimension.h"
+
 /// What people type into number fields: numbers with units and arithmetic.
 namespace ui {
 
-/// What a number measures; its value is in the base unit, which is the scene's.
-enum class Dimension {
-  number,           ///< none
-  share,            ///< of a whole: 1 is 100 %
-  length,           ///< cm
-  mass,             ///< g
-  time,             ///< s
-  rate,             ///< 1/s
-  velocity,         ///< cm/s
-  acceleration,     ///< cm/s^2
-  angle,            ///< rad
-  degrees,          ///< degree: for angles that the scene keeps as written
-  angularVelocity,  ///< rad/s
-  density,          ///< g/cm^3
-  pressure,         ///< dyn/cm^2
-  toughness,        ///< dyn/cm^(3/2)
-  stiffness,        ///< dyn/cm
-  damping,          ///< g/s
-};
+/// A number's value is in the base unit of its dimension, which is the scene's.
+using modeling::Dimension;
 
 struct Unit {
   const char* symbol = "";  ///< UTF-8, as it is shown

@@ -13,11 +13,8 @@ sim::Vec3 anglesOf(const modeling::Rotation& rotation) {
   return sim::Vec3(zyx[2], zyx[1], zyx[0]) * (180.0 / std::numbers::pi);
 }
 
-void addRotation(PropertyForm& form, const RowLabel& label,
+void addRotation(PropertyForm& form, const RowLabel& label, const NumberFormat& format,
                  const std::function<modeling::Rotation*(modeling::Scene&, const Item&)>& place) {
-  NumberFormat format;
-  format.dimension = Dimension::degrees;
-  format.step = 5.0;
   auto* field = new VectorField(format, &form);
   field->setDefault(sim::Vec3::Zero());
   field->setObjectName(QString::fromStdString(label.path));

@@ -15,8 +15,8 @@ QString keyOf(const QString& title) {
 
 }  // namespace
 
-Section::Section(const QString& title, QWidget* parent)
-    : QWidget(parent), key_(keyOf(title)), open_(QSettings().value(key_, true).toBool()) {
+Section::Section(const QString& title, bool open, QWidget* parent)
+    : QWidget(parent), key_(keyOf(title)), open_(QSettings().value(key_, open).toBool()) {
   head_ = new QToolButton(this);
   head_->setText(title);
   head_->setObjectName(QStringLiteral("section-head"));

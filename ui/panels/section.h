@@ -7,13 +7,14 @@ class QVBoxLayout;
 
 namespace ui {
 
-/// A group of a panel with a title that folds it away. What a person folded stays folded, here and wherever
-/// else a section has the same name.
+/// A group of a panel with a title that folds it away. What a person folded or opened stays so, here and
+/// wherever else a section has the same name.
 class Section : public QWidget {
   Q_OBJECT
 
  public:
-  explicit Section(const QString& title, QWidget* parent = nullptr);
+  /// `open` counts until a person folds or opens it.
+  Section(const QString& title, bool open, QWidget* parent);
 
   void add(QWidget* content);
   bool isOpen() const;

@@ -1,13 +1,8 @@
-#include <QLabel>
-#include <QTableWidget>
-
 #include "ui/document/scene_edits.h"
 #include "ui/document/track_titles.h"
-#include "ui/panels/fieldset.h"
+#include "ui/panels/field_rows.h"
 #include "ui/panels/item_properties.h"
 #include "ui/panels/key_table.h"
-#include "ui/panels/plain_fields.h"
-#include "ui/panels/section.h"
 
 namespace ui {
 namespace {
@@ -23,37 +18,37 @@ SceneTrack* trackOf(Scene& scene, const Item& item) {
 
 void addTrackProperties(PropertyForm& form) {
   form.beginSection(PropertyForm::tr("Track"));
-  Fieldset<SceneTrack> fields(form, "", trackOf);
+  FieldRows track(form, "", trackOf);
+  const RowLabel keyLabel = track.label("keys");
   std::vector<std::pair<QString, QVariant>> choices;
   for (const modeling::TargetName& target : modeling::targetsOf(form.session().document().scene()))
     choices.emplace_back(titleOf(target), QString::fromStdString(target.text()));
   form.addChoice(
-      fields.labelOf(&SceneTrack::target, PropertyForm::tr("Drives")), choices,
+      track.label("target"), choices,
       [](Scene& scene, const Item& item) -> QVariant {
-        const SceneTrack* track = trackOf(scene, item);
-        return track ? QVariant(QString::fromStdString(track->target.text())) : QVariant();
+        const SceneTrack* shown = trackOf(scene, item);
+        return shown ? QVariant(QString::fromStdString(shown->target.text())) : QVariant();
       },
       [](Scene& scene, const Item& item, const QVariant& data) {
         const auto target = modeling::TargetName::parse(data.toString().toStdString());
         if (trackOf(scene, item) && target) setTarget(scene, item.index, *target);
       });
-  fields.choice(&SceneTrack::interpolation, PropertyForm::tr("Between keys"),
-                {PropertyForm::tr("Step"), PropertyForm::tr("Linear"), PropertyForm::tr("Smooth")});
+  track.addRest();
   if (form.items().size() > 1) return;
-  form.beginSection(PropertyForm::tr("Keys"));
+  form.beginSection(keyLabel.text);
   auto* keys = new KeyTable(&form);
   form.addWide(
       keys,
       [&form, keys](Scene& scene) {
-        if (const SceneTrack* track = trackOf(scene, form.current())) keys->show(*track);
+        if (const SceneTrack* shown = trackOf(scene, form.current())) keys->show(*shown);
       },
-      ".keys");
+      keyLabel);
   QObject::connect(keys, &KeyTable::edited, &form,
-                   [&form](const std::vector<modeling::SceneTrackKey>& changed, bool finished) {
+                   [&form, keyLabel](const std::vector<modeling::SceneTrackKey>& changed, bool finished) {
                      form.apply(
-                         PropertyForm::tr("Keys"),
+                         keyLabel.text,
                          [&](Scene& scene, const Item& item) {
-                           if (SceneTrack* track = trackOf(scene, item)) track->keys = changed;
+                           if (SceneTrack* edited = trackOf(scene, item)) edited->keys = changed;
                          },
                          finished);
                    });
