@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "modeling/scene/scene_codec.h"
+#include "sim/collider/triangle_mesh.h"
 
 namespace modeling {
 

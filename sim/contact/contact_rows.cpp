@@ -228,7 +228,7 @@ std::vector<Contacts::NodeAtCollider> Contacts::collectColliders(const Motion& m
     const Collider& collider = colliders[c].shape;
     const auto fragments = fragmentsNear(collider, skin, boxes, components.births().size());
     if (boxesFirst_ && std::find(fragments.begin(), fragments.end(), 1) == fragments.end()) continue;
-    const bool plane = collider.shape == ColliderShape::floor;
+    const bool plane = collider.isFloor();
     const Vec3 normal = collider.rotation * Vec3::UnitZ();
     const double offset = normal.dot(collider.position);
     for (NodeIndex node = 0; node < network_->nodeCount(); ++node) {

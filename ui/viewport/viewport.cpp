@@ -126,7 +126,7 @@ Eigen::AlignedBox3d Viewport::everything() const {
   // What is in the air is seen with the floor on which it will fall.
   const sim::Vec3 middle = box.center();
   for (const sim::Collider& collider : drawn_->colliders) {
-    if (collider.shape != sim::ColliderShape::floor) continue;
+    if (!collider.isFloor()) continue;
     const sim::Vec3 normal = collider.rotation * sim::Vec3::UnitZ();
     box.extend(sim::Vec3(middle - normal.dot(middle - collider.position) * normal));
   }

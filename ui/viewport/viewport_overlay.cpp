@@ -99,7 +99,7 @@ void Viewport::paintInvisible(Overlay& overlay) const {
   if (!viewSettings_.invisibleColliders) return;
   for (const sim::Collider& collider : drawn_->colliders) {
     if (collider.visible) continue;
-    for (const auto& [from, to] : colliderOutline(collider))
+    for (const auto& [from, to] : sim::outlineOf(collider))
       overlay.line(from, to, Theme::instance().colours().dimText, 1.0);
   }
 }

@@ -59,7 +59,7 @@ void ViewportRenderer::identifySolids(const PictureFrame& frame) {
     const sim::Collider& collider = data.colliders[i];
     const bool above =
         (frame.camera.eye() - collider.position).dot(collider.rotation * sim::Vec3::UnitZ()) > 0;
-    if (collider.shape != sim::ColliderShape::floor || !collider.visible || !above || passes(i)) continue;
+    if (!collider.isFloor() || !collider.visible || !above || passes(i)) continue;
     ground.setUniformValue("firstIndex", static_cast<GLint>(i));
     drawGround(ground, &collider);
   }

@@ -1,4 +1,4 @@
-#include "ui/document/new_parts.h"
+#include "ui/kinds/new_things.h"
 
 #include <catch2/catch.hpp>
 
@@ -33,8 +33,8 @@ Eigen::AlignedBox3d extentOf(const Scene& scene, std::size_t part) {
 
 TEST_CASE("Everything that can be added can be built, of good cells", "[new-parts]") {
   for (const NewThing& thing : newThings()) {
-    if (isCollider(thing)) continue;
-    INFO(nameOf(thing).toStdString());
+    if (thing.isCollider()) continue;
+    INFO(thing.name);
     Scene scene;
     addThing(scene, thing, {});
     const modeling::BuiltScene result = built(scene);
@@ -86,13 +86,12 @@ TEST_CASE("What is added stands on the floor beside what is there, and touches n
 }
 
 TEST_CASE("A handle and a spout come to stand at the wall of the dish that is selected", "[new-parts]") {
-  using Kind = NewThing::Kind;
   for (const ProfilePreset preset : {ProfilePreset::cup, ProfilePreset::vase, ProfilePreset::teapotBody}) {
     INFO(nameOf(preset).toStdString());
     Scene scene;
-    const Item body = addThing(scene, {Kind::profile, preset}, {});
+    const Item body = addThing(scene, newThing(nameInScene(preset)), {});
     scene.parts[0].worldFromPart.position = sim::Vec3(3, 4, 5);
-    for (const Kind kind : {Kind::handle, Kind::spout}) addThing(scene, {kind, std::nullopt}, {body});
+    for (const char* name : {"handle", "spout"}) addThing(scene, newThing(name), {body});
     REQUIRE(scene.glue.size() == 2);
     const modeling::BuiltScene result = built(scene);
     for (const modeling::GlueReport& glue : result.glue) {
