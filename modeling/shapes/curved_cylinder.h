@@ -48,7 +48,7 @@ struct CurvedCylinderShape {
   SweepSection section = SweepSection::disc;
   ValueChain halfWidth =
       constantValue(0.5);  ///< cm, > 0, along the first axis; one segment a curve segment, or one for all
-  ValueChain halfDepth = constantValue(0.5);  ///< cm, > 0, along the second axis; likewise
+  ValueChain halfDepth = constantValue(0.5);  ///< cm, > 0, along the second axis; as many segments
   double wallThickness = 0.3;                 ///< cm; ring and arc: > 0 and less than both half axes
   double startAngle = 0.0;                    ///< rad; arc only
   double endAngle = std::numbers::pi;         ///< rad; arc only, startAngle < endAngle < startAngle + 2 pi

@@ -51,8 +51,8 @@ class TriangleMesh {
   /// Of a closed surface: negative inside.
   double signedDistance(const Vec3& point) const;
 
-  /// Calls take(triangle) for triangles of which some point may lie between `low` and `high`, and for every
-  /// one of which some point does, until one is taken. Whether one was.
+  /// Calls take(triangle) for every triangle that has a point between `low` and `high`, and for some others,
+  /// until take() answers true. Answers whether it did.
   template <class Take>
   bool anyWithin(const Vec3& low, const Vec3& high, const Take& take) const;
 

@@ -100,6 +100,39 @@ TEST_CASE("outside, no point is nearer to the collider than its negative depth")
   }
 }
 
+TEST_CASE("what is drawn of a collider is its surface") {
+  for (const sim::ColliderShape& shape : oneOfEach()) {
+    const Collider collider = turned(shape);
+    if (collider.isFloor()) continue;
+    const sim::ColliderSurface surface = sim::surfaceOf(collider);
+    REQUIRE(surface.points.size() == surface.normals.size());
+    REQUIRE_FALSE(surface.quads.empty());
+    const auto inWorld = [&](const Vec3& point) -> Vec3 {
+      return collider.position + collider.rotation * point;
+    };
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+      REQUIRE(surface.normals[i].norm() == Approx(1.0));
+      REQUIRE(sim::intrusion(collider, inWorld(surface.points[i])).depth == Approx(0.0).margin(1e-9));
+    }
+    for (const auto& quad : surface.quads) {
+      // Seen from outside, corners go round counter-clockwise, and normals point out.
+      const Vec3& a = surface.points[quad[0]];
+      const Vec3 first = surface.points[quad[2]] - a;
+      const Vec3 area = (surface.points[quad[1]] - a).cross(first) + first.cross(surface.points[quad[3]] - a);
+      for (const std::uint32_t corner : quad) {
+        if (area.norm() > 1e-12) REQUIRE(area.dot(surface.normals[corner]) > 0.0);
+      }
+    }
+    const Eigen::AlignedBox3d box = sim::boxOf(collider);
+    for (const auto& line : sim::outlineOf(collider)) {
+      for (const Vec3& point : line) {
+        REQUIRE(sim::intrusion(collider, point).depth == Approx(0.0).margin(1e-9));
+        REQUIRE(box.contains(point));
+      }
+    }
+  }
+}
+
 /// A node of mass 1 by itself.
 sim::Blueprint stone(const Vec3& position, const Vec3& velocity) {
   sim::Blueprint blueprint;

@@ -50,16 +50,6 @@ Vec3 placeBeside(const Scene& scene, const Eigen::AlignedBox3d& own) {
   return place;
 }
 
-/// Where something with this extent stands beside all there is.
-Vec3 placeBeside(const Scene& scene, const Eigen::AlignedBox3d& own) {
-  const Eigen::AlignedBox3d there = boxOf(scene);
-  Vec3 place = Vec3::Zero();
-  place.z() = floorHeight(scene) - own.min().z();
-  if (there.isEmpty()) return place;
-  place.x() = there.max().x() + kGap - own.min().x();
-  return place;
-}
-
 /// The body that was selected last, if it is one of revolution.
 std::optional<std::size_t> bodyAmong(const Scene& scene, const std::vector<Item>& selected) {
   if (selected.empty() || selected.back().kind != ItemKind::part) return std::nullopt;

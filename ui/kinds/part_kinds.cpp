@@ -48,11 +48,11 @@ PartKind recordOf(const modeling::CurvedCylinderShape& shape) {
 }
 
 PartKind recordOf(const modeling::NetworkShape&) {
-  return {.title = translated("Network"), .icon = QStringLiteral("network")};
+  return {.title = translated("Network"), .icon = QStringLiteral("network"), .axes = {}};
 }
 
 PartKind recordOf(const modeling::MeshShape&) {
-  return {.title = translated("Solid of a mesh"), .icon = QStringLiteral("mesh")};
+  return {.title = translated("Solid of a mesh"), .icon = QStringLiteral("mesh"), .axes = {}};
 }
 
 modeling::SlabShape slab() {
