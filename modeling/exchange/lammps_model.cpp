@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "modeling/exchange/lammps_colliders.h"
 #include "modeling/scene/scene_file.h"
 #include "modeling/text/text_output.h"
 #include "sim/methods/stable_step.h"
@@ -184,8 +185,9 @@ std::vector<std::string> lammpsDeviations(const LammpsModel& model) {
       "between nodes there is neither contact damping nor friction, and nodes that begin in contact push at "
       "once");
   for (const sim::Collider& collider : model.conditions.environment.colliders) {
-    if (collider.shape == sim::ColliderShape::mesh)
-      said.push_back("the collider \"" + oneLine(collider.name) + "\" is left out: it is a mesh");
+    if (!hasLammpsFormulas(collider))
+      said.push_back("the collider \"" + oneLine(collider.name) + "\" is left out: it is a " +
+                     std::string(kindName(collider)));
     else if (collider.activeFrom > model.moment->time || std::isfinite(collider.activeUntil))
       said.push_back("the collider \"" + oneLine(collider.name) + "\" is there all the time");
   }

@@ -11,6 +11,8 @@ namespace modeling {
 
 namespace {
 
+using sim::Vec3;
+
 using sim::Problem;
 
 struct UnitName {

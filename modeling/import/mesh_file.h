@@ -6,6 +6,7 @@
 
 #include "modeling/shapes/mesh_shape.h"
 #include "sim/base/result.h"
+#include "sim/collider/triangle_mesh.h"
 
 /// Meshes from other programs: OBJ, PLY, STL, glTF, FBX, Collada, read by assimp.
 namespace modeling {

@@ -55,32 +55,6 @@ std::vector<std::string> warningsOf(const BuiltScene& built) {
   return warnings;
 }
 
-struct ColliderFormInto {
-  sim::Collider& collider;
-
-  void operator()(const FloorShape&) const { collider.shape = sim::ColliderShape::floor; }
-  void operator()(const BoxShape& box) const {
-    collider.shape = sim::ColliderShape::box;
-    collider.halfSize = box.halfSize;
-  }
-  void operator()(const SphereShape& sphere) const {
-    collider.shape = sim::ColliderShape::sphere;
-    collider.radius = sphere.radius;
-  }
-  void operator()(const CylinderShape& cylinder) const {
-    collider.shape = sim::ColliderShape::cylinder;
-    collider.radius = cylinder.radius;
-    collider.halfHeight = cylinder.halfHeight;
-  }
-  void operator()(const MeshObstacle& obstacle) const {
-    static const auto kNothing =
-        std::make_shared<const sim::TriangleMesh>(std::vector<Vec3>{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()},
-                                                  std::vector<sim::TriangleMesh::Triangle>{{0, 1, 2}});
-    collider.shape = sim::ColliderShape::mesh;
-    collider.mesh = obstacle.surface.mesh ? obstacle.surface.mesh : kNothing;
-    collider.halfThickness = collider.mesh->closed() ? 0.0 : 0.5 * obstacle.thickness;
-  }
-};
 
 sim::Settings settingsOf(const Solver& solver) {
   sim::Settings settings;
@@ -100,25 +74,6 @@ sim::Settings settingsOf(const Solver& solver) {
 }
 
 }  // namespace
-
-sim::Collider colliderOf(const SceneCollider& written) {
-  sim::Collider collider;
-  collider.name = written.name;
-  std::visit(ColliderFormInto{collider}, written.form);
-  collider.position = written.position;
-  collider.rotation = written.rotation.quaternion();
-  collider.stiffness = written.stiffness;
-  collider.dampingRatio = written.dampingRatio;
-  collider.friction = written.friction;
-  collider.visible = written.visible;
-  if (written.active) {
-    collider.activeFrom = (*written.active)[0];
-    collider.activeUntil = (*written.active)[1];
-  }
-  const auto* obstacle = std::get_if<MeshObstacle>(&written.form);
-  if (obstacle != nullptr && !obstacle->surface.mesh) collider.activeUntil = collider.activeFrom;
-  return collider;
-}
 
 Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& materials) {
   Conditions conditions;

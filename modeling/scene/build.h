@@ -26,9 +26,6 @@ struct Conditions {
 /// several tracks.
 Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& materials);
 
-/// Where it stands without tracks. An obstacle whose surface was not read is there, but never active.
-sim::Collider colliderOf(const SceneCollider& written);
-
 struct PartReport {
   std::string name;
   std::size_t nodes = 0;   ///< before gluing

@@ -6,6 +6,7 @@
 
 #include "modeling/import/lammps_data.h"
 #include "modeling/import/mesh_file.h"
+#include "modeling/shapes/mesh_lattice.h"
 #include "modeling/shapes/quality.h"
 #include "modeling/shapes/resolution.h"
 #include "modeling/text/spelling.h"

@@ -85,7 +85,7 @@ MaybeProblem checkGluing(const std::string& place, const Gluing& gluing, const N
 
 MaybeProblem checkCollider(const std::string& place, const SceneCollider& collider) {
   if (const auto* obstacle = std::get_if<MeshObstacle>(&collider.form);
-      obstacle != nullptr && obstacle->file.empty() && !obstacle->surface.mesh)
+      obstacle != nullptr && obstacle->file.empty() && !obstacle->isRead())
     return Problem{place, "the collider " + inQuotes(collider.name) + " has no mesh", "add the key \"file\""};
   if (!collider.active || (*collider.active)[0] < (*collider.active)[1]) return std::nullopt;
   return Problem{place + ".active", "the collider " + inQuotes(collider.name) + " goes before it comes",

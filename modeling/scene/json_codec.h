@@ -11,8 +11,8 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
 
+#include "modeling/text/json_build.h"
 #include "modeling/text/json_document.h"
 #include "modeling/text/json_fields.h"
 #include "modeling/text/json_reader.h"
@@ -24,8 +24,6 @@
 /// - `write(value, base, rule)` gives what differs from `base`, the value that a reader starts from.
 /// - `schema(rule)` gives the JSON Schema of what `read` takes.
 namespace modeling {
-
-using Json = nlohmann::ordered_json;
 
 template <class T>
 struct Codec;
@@ -76,7 +74,7 @@ struct Codec<bool> {
     return true;
   }
   static Json write(const bool& value, const bool&, const Rule&) { return value; }
-  static Json schema(const Rule&) { return {{"type", "boolean"}}; }
+  static Json schema(const Rule&) { return typeSchema("boolean"); }
 };
 
 template <>
@@ -87,7 +85,7 @@ struct Codec<std::string> {
     return true;
   }
   static Json write(const std::string& value, const std::string&, const Rule&) { return value; }
-  static Json schema(const Rule&) { return {{"type", "string"}}; }
+  static Json schema(const Rule&) { return typeSchema("string"); }
 };
 
 template <class T>
@@ -101,7 +99,7 @@ struct Codec<T> {
     return true;
   }
   static Json write(const T& value, const T&, const Rule&) { return EnumNames<T>::nameOf(value); }
-  static Json schema(const Rule&) { return {{"enum", EnumNames<T>::names()}}; }
+  static Json schema(const Rule&) { return choiceSchema(EnumNames<T>::names()); }
 };
 
 /// Fixed numbers of anything; for Eigen vectors, of numbers.
@@ -119,14 +117,11 @@ struct TupleCodec {
   static Json write(const T& value, const T&, const Rule& rule) {
     Json list = Json::array();
     for (std::size_t i = 0; i < kCount; ++i) {
-      list.push_back(Codec<Item>::write(value[static_cast<Index>(i)], Item{}, rule));
+      append(list, Codec<Item>::write(value[static_cast<Index>(i)], Item{}, rule));
     }
     return list;
   }
-  static Json schema(const Rule& rule) {
-    return {
-        {"type", "array"}, {"items", Codec<Item>::schema(rule)}, {"minItems", kCount}, {"maxItems", kCount}};
-  }
+  static Json schema(const Rule& rule) { return listSchema(Codec<Item>::schema(rule), kCount); }
 
  private:
   using Index = std::conditional_t<std::is_base_of_v<Eigen::EigenBase<T>, T>, Eigen::Index, std::size_t>;
@@ -150,10 +145,10 @@ struct Codec<std::vector<Item>> {
   }
   static Json write(const std::vector<Item>& value, const std::vector<Item>&, const Rule& rule) {
     Json list = Json::array();
-    for (const Item& item : value) list.push_back(Codec<Item>::write(item, Item{}, rule));
+    for (const Item& item : value) append(list, Codec<Item>::write(item, Item{}, rule));
     return list;
   }
-  static Json schema(const Rule& rule) { return {{"type", "array"}, {"items", Codec<Item>::schema(rule)}}; }
+  static Json schema(const Rule& rule) { return listSchema(Codec<Item>::schema(rule)); }
 };
 
 /// `null` takes a value away that the reader started from (a preset's).
@@ -170,9 +165,7 @@ struct Codec<std::optional<Value>> {
   static Json write(const std::optional<Value>& value, const std::optional<Value>& base, const Rule& rule) {
     return value ? Codec<Value>::write(*value, base.value_or(Value{}), rule) : Json(nullptr);
   }
-  static Json schema(const Rule& rule) {
-    return {{"anyOf", {Codec<Value>::schema(rule), {{"type", "null"}}}}};
-  }
+  static Json schema(const Rule& rule) { return nullableSchema(Codec<Value>::schema(rule)); }
 };
 
 /// Calls visit(field) for each key of T.
@@ -222,7 +215,7 @@ void writeFields(const T& value, const T& base, Json& object) {
     const Value& mine = value.*entry.member;
     const Value& given = base.*entry.member;
     if (entry.rule.required || !(mine == given))
-      object[std::string(entry.rule.key)] = Codec<Value>::write(mine, given, entry.rule);
+      setMember(object, entry.rule.key, Codec<Value>::write(mine, given, entry.rule));
   });
 }
 
@@ -230,19 +223,14 @@ template <class T>
 void addFieldSchemas(Json& schema) {
   forEachField<T>([&](const auto& entry) {
     using Value = std::remove_cvref_t<decltype(std::declval<T&>().*entry.member)>;
-    Json property = Codec<Value>::schema(entry.rule);
-    property["description"] = describe(entry.rule, entry.display);
-    schema["properties"][std::string(entry.rule.key)] = property;
-    if (entry.rule.required) schema["required"].push_back(entry.rule.key);
+    addProperty(schema, entry.rule.key, Codec<Value>::schema(entry.rule), describe(entry.rule, entry.display),
+                entry.rule.required);
   });
 }
 
 /// An object with the keys of Fields<T>, and no others.
 template <class T>
-requires requires {
-  Fields<T>::list();
-}
-struct Codec<T> {
+struct FieldsCodec {
   static bool read(JsonReader& reader, const JsonValue& value, T& out, const Rule& rule) {
     return reader.checkObject(value, rule, keysOf<T>(), retiredKeysOf<T>()) && readFields(reader, value, out);
   }
@@ -257,6 +245,12 @@ struct Codec<T> {
     return schema;
   }
 };
+
+template <class T>
+requires requires {
+  Fields<T>::list();
+}
+struct Codec<T> : FieldsCodec<T> {};
 
 /// An object with the keys of Owner, a key that names an alternative of Owner's `variant`, and that
 /// alternative's keys, all side by side: {"name": .., "kind": "slab", "size": ..}.
@@ -285,8 +279,8 @@ struct TaggedCodec {
     std::visit(
         [&](const auto& shape) {
           using Shape = std::remove_cvref_t<decltype(shape)>;
-          object["name"] = value.name;  // the two keys a person looks for come first
-          object[std::string(Names::kTag)] = Names::kNames[(value.*variant).index()];
+          setMember(object, "name", value.name);  // the two keys a person looks for come first
+          setMember(object, Names::kTag, Names::kNames[(value.*variant).index()]);
           writeFields(value, base, object);
           writeFields(shape, Shape{}, object);
         },
@@ -298,11 +292,10 @@ struct TaggedCodec {
     Json choices = Json::array();
     forEachAlternative([&]<std::size_t kIndex>() {
       Json choice = objectSchema();
-      choice["properties"][std::string(Names::kTag)] = {{"const", Names::kNames[kIndex]}};
-      choice["required"].push_back(Names::kTag);
+      addConstant(choice, Names::kTag, Names::kNames[kIndex]);
       addFieldSchemas<Owner>(choice);
       addFieldSchemas<std::variant_alternative_t<kIndex, Variant>>(choice);
-      choices.push_back(choice);
+      append(choices, std::move(choice));
     });
     return {{"oneOf", choices}};
   }

@@ -9,7 +9,7 @@ sim::Status readObstacles(Scene& scene, const std::filesystem::path& folder,
   auto& colliders = scene.environment.colliders;
   for (std::size_t i = 0; i < colliders.size(); ++i) {
     auto* obstacle = std::get_if<MeshObstacle>(&colliders[i].form);
-    if (obstacle == nullptr || obstacle->surface.mesh) continue;
+    if (obstacle == nullptr || obstacle->isRead()) continue;
     auto read = loadMesh(folder, obstacle->source());
     if (!read) return read.problem();
     if (read->mesh.triangles().size() > kMostObstacleTriangles) {
@@ -29,12 +29,12 @@ sim::Status takeOverSurfaces(const Scene& from, Scene& scene) {
   auto& colliders = scene.environment.colliders;
   for (std::size_t i = 0; i < colliders.size(); ++i) {
     auto* obstacle = std::get_if<MeshObstacle>(&colliders[i].form);
-    if (obstacle == nullptr || obstacle->surface.mesh) continue;
+    if (obstacle == nullptr || obstacle->isRead()) continue;
     for (const SceneCollider& other : from.environment.colliders) {
       const auto* known = std::get_if<MeshObstacle>(&other.form);
       if (known != nullptr && known->source() == obstacle->source()) obstacle->surface = known->surface;
     }
-    if (!obstacle->surface.mesh) {
+    if (!obstacle->isRead()) {
       return sim::Problem{"environment.colliders[" + std::to_string(i) + "]",
                           "an obstacle of another mesh cannot come into a run that goes on",
                           "run the changed scene from the start"};

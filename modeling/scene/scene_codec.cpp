@@ -2,22 +2,12 @@
 
 #include <charconv>
 
-#include "modeling/scene/resources.h"
 #include "modeling/text/spelling.h"
 
 namespace modeling {
 namespace {
 
 constexpr Rule kTolerance{"tolerance", "Error of strain a shortest swing.", true, {0.0, 1.0, true}, false};
-
-/// Either of two forms, told apart by whether the value is a list.
-Json eitherSchema(const Json& one, const Json& other) {
-  return {{"anyOf", {one, other}}};
-}
-
-Json mapSchema(const Json& member) {
-  return {{"type", "object"}, {"additionalProperties", member}};
-}
 
 }  // namespace
 
@@ -46,7 +36,7 @@ Json Codec<Rotation>::write(const Rotation& value, const Rotation&, const Rule& 
 }
 
 Json Codec<Rotation>::schema(const Rule& rule) {
-  return eitherSchema(Codec<Vec3>::schema(rule), Codec<Eigen::Vector4d>::schema(rule));
+  return anyOfSchema(Codec<Vec3>::schema(rule), Codec<Eigen::Vector4d>::schema(rule));
 }
 
 bool Codec<Scale>::read(JsonReader& reader, const JsonValue& value, Scale& out, const Rule& rule) {
@@ -64,7 +54,19 @@ Json Codec<Scale>::write(const Scale& value, const Scale&, const Rule& rule) {
 }
 
 Json Codec<Scale>::schema(const Rule& rule) {
-  return eitherSchema(numberSchema("number", rule), Codec<Vec3>::schema(rule));
+  return anyOfSchema(numberSchema("number", rule), Codec<Vec3>::schema(rule));
+}
+
+bool Codec<Gluing>::read(JsonReader& reader, const JsonValue& value, Gluing& out, const Rule& rule) {
+  return FieldsCodec<Gluing>::read(reader, value, out, rule);
+}
+
+Json Codec<Gluing>::write(const Gluing& value, const Gluing& base, const Rule& rule) {
+  return FieldsCodec<Gluing>::write(value, base, rule);
+}
+
+Json Codec<Gluing>::schema(const Rule& rule) {
+  return FieldsCodec<Gluing>::schema(rule);
 }
 
 bool Codec<Step>::read(JsonReader& reader, const JsonValue& value, Step& out, const Rule& rule) {
@@ -109,7 +111,7 @@ Json Codec<TargetName>::write(const TargetName& value, const TargetName&, const 
 }
 
 Json Codec<TargetName>::schema(const Rule&) {
-  return {{"type", "string"}};
+  return typeSchema("string");
 }
 
 bool Codec<SceneTrackKey>::read(JsonReader& reader, const JsonValue& value, SceneTrackKey& out,
@@ -133,7 +135,7 @@ Json Codec<SceneTrackKey>::write(const SceneTrackKey& value, const SceneTrackKey
   Json key = Json::array({value.time});
   std::visit(
       [&](const auto& driven) {
-        key.push_back(Codec<std::remove_cvref_t<decltype(driven)>>::write(driven, driven, rule));
+        append(key, Codec<std::remove_cvref_t<decltype(driven)>>::write(driven, driven, rule));
       },
       value.value);
   return key;
@@ -141,75 +143,9 @@ Json Codec<SceneTrackKey>::write(const SceneTrackKey& value, const SceneTrackKey
 
 Json Codec<SceneTrackKey>::schema(const Rule& rule) {
   const Json number = numberSchema("number", rule);
-  const Json items = Json::array({number, eitherSchema(number, Codec<Vec3>::schema(rule))});
+  const Json items = Json::array({number, anyOfSchema(number, Codec<Vec3>::schema(rule))});
   return {{"type", "array"}, {"items", items}, {"minItems", 2}, {"maxItems", 2}};
 }
-
-bool Codec<ValueChain>::read(JsonReader& reader, const JsonValue& value, ValueChain& out, const Rule& rule) {
-  if (value.array() == nullptr) {
-    double number = 0.0;
-    if (!reader.readNumber(value, number, rule)) return false;
-    out = constantValue(number);
-    return true;
-  }
-  out.clear();
-  for (const JsonValue& segment : *value.array()) {
-    if (!Codec<CubicSegment<double>>::read(reader, segment, out.emplace_back(), rule)) return false;
-  }
-  return true;
-}
-
-Json Codec<ValueChain>::write(const ValueChain& value, const ValueChain&, const Rule& rule) {
-  if (value.size() == 1 && value == constantValue(value[0][0])) return value[0][0];
-  Json segments = Json::array();
-  for (const auto& segment : value)
-    segments.push_back(Codec<CubicSegment<double>>::write(segment, segment, rule));
-  return segments;
-}
-
-Json Codec<ValueChain>::schema(const Rule& rule) {
-  const Json segments = {{"type", "array"}, {"items", Codec<CubicSegment<double>>::schema(rule)}};
-  return eitherSchema(numberSchema("number", rule), segments);
-}
-
-template <class Point>
-bool ChainCodec<Point>::read(JsonReader& reader, const JsonValue& value, Chain& out, const Rule& rule) {
-  if (!reader.checkList(value, rule, 0, kMostValues)) return false;
-  out.clear();
-  for (const JsonValue& segment : *value.array()) {
-    if (segment.array() == nullptr || segment.array()->size() != 2) {
-      if (!Codec<CubicSegment<Point>>::read(reader, segment, out.emplace_back(), rule)) return false;
-      continue;
-    }
-    std::array<Point, 2> ends{Point::Zero(), Point::Zero()};
-    if (!Codec<std::array<Point, 2>>::read(reader, segment, ends, rule)) return false;
-    out.push_back(straightSegment<Point>(ends[0], ends[1]));
-  }
-  return true;
-}
-
-template <class Point>
-Json ChainCodec<Point>::write(const Chain& value, const Chain&, const Rule& rule) {
-  Json segments = Json::array();
-  for (const auto& segment : value) {
-    if (segment == straightSegment<Point>(segment[0], segment[3])) {
-      segments.push_back(Codec<std::array<Point, 2>>::write({segment[0], segment[3]}, {}, rule));
-    } else {
-      segments.push_back(Codec<CubicSegment<Point>>::write(segment, segment, rule));
-    }
-  }
-  return segments;
-}
-
-template <class Point>
-Json ChainCodec<Point>::schema(const Rule& rule) {
-  const Json curved = Codec<CubicSegment<Point>>::schema(rule);
-  const Json straight = Codec<std::array<Point, 2>>::schema(rule);
-  return {{"type", "array"}, {"items", eitherSchema(curved, straight)}};
-}
-
-template struct ChainCodec<Vec2>;
-template struct ChainCodec<Vec3>;
 
 bool Codec<std::vector<NamedBondType>>::read(JsonReader& reader, const JsonValue& value, Types& out,
                                              const Rule& rule) {
@@ -233,80 +169,12 @@ bool Codec<std::vector<NamedBondType>>::read(JsonReader& reader, const JsonValue
 Json Codec<std::vector<NamedBondType>>::write(const Types& value, const Types&, const Rule& rule) {
   Json object = Json::object();
   for (const NamedBondType& type : value)
-    object[type.type] = Codec<BondType>::write(type.constants, {}, rule);
+    setMember(object, type.type, Codec<BondType>::write(type.constants, {}, rule));
   return object;
 }
 
 Json Codec<std::vector<NamedBondType>>::schema(const Rule& rule) {
   return mapSchema(Codec<BondType>::schema(rule));
-}
-
-namespace {
-
-/// Stating one of the three ways to break takes back the preset's way.
-void keepStatedBreaking(const JsonValue& object, Material& material) {
-  const JsonValue* threshold = object.find("threshold");
-  const bool mean = threshold != nullptr && threshold->find("mean") != nullptr && material.threshold.mean;
-  const bool strength = object.find("strength") != nullptr && material.strength;
-  const bool toughness = object.find("fractureToughness") != nullptr && material.fractureToughness;
-  if (!mean && !strength && !toughness) return;
-  if (!mean) material.threshold.mean.reset();
-  if (!strength) material.strength.reset();
-  if (!toughness) material.fractureToughness.reset();
-}
-
-bool readMaterial(JsonReader& reader, const JsonMember& member, SceneMaterial& out) {
-  const Rule rule{member.key, {}, true, {}, false};
-  std::vector<std::string> keys = keysOf<Material>();
-  keys.emplace_back("preset");
-  if (!reader.checkObject(member.value, rule, keys)) return false;
-  if (const JsonValue* preset = member.value.find("preset")) {
-    if (!Codec<std::string>::read(reader, *preset, out.preset, {"preset", {}, true, {}, false})) return false;
-    sim::Result<Material> values = presetMaterial(out.preset);
-    if (!values) return reader.fail(preset->position, values.problem().what, values.problem().remedy);
-    out.values = std::move(values).value();
-  }
-  out.values.name = out.name;
-  if (!readFields(reader, member.value, out.values)) return false;
-  keepStatedBreaking(member.value, out.values);
-  return true;
-}
-
-}  // namespace
-
-bool Codec<std::vector<SceneMaterial>>::read(JsonReader& reader, const JsonValue& value, Materials& out,
-                                             const Rule& rule) {
-  if (value.object() == nullptr) return reader.failKind(value, rule, "an object");
-  out.clear();
-  for (const JsonMember& member : *value.object()) {
-    SceneMaterial& material = out.emplace_back();
-    material.name = member.key;
-    if (!readMaterial(reader, member, material)) return false;
-  }
-  return true;
-}
-
-Json Codec<std::vector<SceneMaterial>>::write(const Materials& value, const Materials&, const Rule&) {
-  Json object = Json::object();
-  for (const SceneMaterial& material : value) {
-    Json written = Json::object();
-    Material base;
-    if (!material.preset.empty()) {
-      written["preset"] = material.preset;
-      if (sim::Result<Material> preset = presetMaterial(material.preset)) base = std::move(preset).value();
-    }
-    writeFields(material.values, base, written);
-    object[material.name] = written;
-  }
-  return object;
-}
-
-Json Codec<std::vector<SceneMaterial>>::schema(const Rule&) {
-  Json material = objectSchema();
-  material["properties"]["preset"] = {{"type", "string"},
-                                      {"description", "A preset that the other keys are laid over."}};
-  addFieldSchemas<Material>(material);
-  return mapSchema(material);
 }
 
 }  // namespace modeling

@@ -4,13 +4,48 @@
 #include "modeling/scene/scene_fields.h"
 #include "modeling/scene/scene_names.h"
 
-/// The values of a scene file that are not simply an object, a list, a number or a name.
+/// The values of a scene file that are not simply an object, a list, a number or a name, and the largest
+/// objects.
 namespace modeling {
 
+// The largest structs, each in a source of its own, so that none takes long to compile.
+
+/// The part's keys and those of its kind, side by side.
 template <>
-struct Codec<Part> : TaggedCodec<Part, PartShape, &Part::shape> {};
+struct Codec<Part> {
+  static bool read(JsonReader& reader, const JsonValue& value, Part& out, const Rule& rule);
+  static Json write(const Part& value, const Part& base, const Rule& rule);
+  static Json schema(const Rule& rule);
+};
+
+/// The collider's keys and those of its kind, side by side.
 template <>
-struct Codec<SceneCollider> : TaggedCodec<SceneCollider, ColliderForm, &SceneCollider::form> {};
+struct Codec<SceneCollider> {
+  static bool read(JsonReader& reader, const JsonValue& value, SceneCollider& out, const Rule& rule);
+  static Json write(const SceneCollider& value, const SceneCollider& base, const Rule& rule);
+  static Json schema(const Rule& rule);
+};
+
+template <>
+struct Codec<Gluing> {
+  static bool read(JsonReader& reader, const JsonValue& value, Gluing& out, const Rule& rule);
+  static Json write(const Gluing& value, const Gluing& base, const Rule& rule);
+  static Json schema(const Rule& rule);
+};
+
+template <>
+struct Codec<View> {
+  static bool read(JsonReader& reader, const JsonValue& value, View& out, const Rule& rule);
+  static Json write(const View& value, const View& base, const Rule& rule);
+  static Json schema(const Rule& rule);
+};
+
+template <>
+struct Codec<Solver> {
+  static bool read(JsonReader& reader, const JsonValue& value, Solver& out, const Rule& rule);
+  static Json write(const Solver& value, const Solver& base, const Rule& rule);
+  static Json schema(const Rule& rule);
+};
 
 /// {"points": [[x, y, z], ...], "triangles": [[a, b, c], ...]}, or null.
 template <>

@@ -6,16 +6,19 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "modeling/scene/scene.h"
+#include "modeling/text/enum_values.h"
 #include "modeling/text/json_fields.h"
 #include "sim/methods/method_names.h"
 
 /// The names that choices have in a scene file.
 namespace modeling {
 
-/// Names from `Derived::kTable`, an array of pairs of name and value.
+/// Names from `Derived::kTable`, an array of pairs of name and value. A value without a name does not
+/// compile.
 template <class Derived, class T>
 struct NameTable {
   static std::vector<std::string> names() {
@@ -31,6 +34,7 @@ struct NameTable {
     return std::nullopt;
   }
   static std::string_view nameOf(T wanted) {
+    static_assert(namesEachOnce(Derived::kTable), "a value has no name, or two");
     const auto entry = std::find_if(Derived::kTable.begin(), Derived::kTable.end(),
                                     [wanted](const auto& row) { return row.second == wanted; });
     return entry->first;
@@ -138,17 +142,11 @@ struct EnumNames<BondPattern> {
   static std::string_view nameOf(BondPattern pattern) { return modeling::nameOf(pattern); }
 };
 
-template <>
-struct VariantNames<PartShape> {
+/// Kinds that name themselves.
+template <class... Kinds>
+requires(requires { Kinds::kName; } && ...) struct VariantNames<std::variant<Kinds...>> {
   static constexpr std::string_view kTag = "kind";
-  static constexpr std::array<std::string_view, 6> kNames{"slab",           "patch",   "revolution",
-                                                          "curvedCylinder", "network", "mesh"};
-};
-
-template <>
-struct VariantNames<ColliderForm> {
-  static constexpr std::string_view kTag = "kind";
-  static constexpr std::array<std::string_view, 5> kNames{"floor", "box", "sphere", "cylinder", "mesh"};
+  static constexpr std::array<std::string_view, sizeof...(Kinds)> kNames{Kinds::kName...};
 };
 
 }  // namespace modeling

@@ -97,4 +97,19 @@ sim::Result<Lattice> build(const BezierPatchShape& shape) {
   return completed(gridLattice(layout, place), kRemedy);
 }
 
+Eigen::AlignedBox3d BezierPatchShape::box() const {
+  // Surfaces stay within the hull of their control points.
+  Eigen::AlignedBox3d box;
+  for (const auto& row : net)
+    for (const Vec3& point : row) box.extend(point);
+  if (!oppositeNet) {
+    box.min().array() -= thickness;
+    box.max().array() += thickness;
+    return box;
+  }
+  for (const auto& row : *oppositeNet)
+    for (const Vec3& point : row) box.extend(point);
+  return box;
+}
+
 }  // namespace modeling

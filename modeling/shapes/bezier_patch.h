@@ -2,6 +2,9 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
+
+#include <Eigen/Geometry>
 
 #include "modeling/shapes/lattice.h"
 #include "modeling/shapes/resolution.h"
@@ -23,12 +26,18 @@ enum class PatchSide {
 /// parallel Bezier patches"). u and v are the patch's own, spaced by arc length along its middle lines; w
 /// runs through the thickness, from the back to the front of the normal, or from `net` to `oppositeNet`.
 struct BezierPatchShape {
+  static constexpr std::string_view kName = "patch";
+
   ControlNet net{};
   std::optional<ControlNet>
       oppositeNet;         ///< where given, the solid lies between the two and thickness is not read
   double thickness = 0.4;  ///< cm, > 0; where the net bends more sharply, the solid would fold: a Problem
   PatchSide side = PatchSide::centred;
   Resolution resolution;
+
+  /// Contains the solid, cm.
+  Eigen::AlignedBox3d box() const;
+  std::optional<double> cellEdge() const { return resolution.cellSize; }
 
   bool operator==(const BezierPatchShape&) const = default;
 };

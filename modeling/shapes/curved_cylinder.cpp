@@ -173,6 +173,13 @@ class Sweeper {
   double meanWidth_ = 0.0, meanDepth_ = 0.0, meanAround_ = 0.0;  ///< cm
 };
 
+double largest(const ValueChain& values) {
+  double result = 0.0;
+  for (const auto& segment : values)
+    for (const double value : segment) result = std::max(result, value);
+  return result;
+}
+
 }  // namespace
 
 sim::Result<Lattice> build(const CurvedCylinderShape& shape) {
@@ -186,6 +193,20 @@ sim::Result<Lattice> build(const CurvedCylinderShape& shape) {
   if (auto problem = checkWall(shape, *stations)) return *problem;
   auto lattice = Sweeper(shape, *stations).run();
   return lattice ? completed(std::move(lattice).value(), kRemedy) : lattice;
+}
+
+Eigen::AlignedBox3d CurvedCylinderShape::box() const {
+  // Curves stay within the hull of their control points.
+  Eigen::AlignedBox3d box;
+  for (const CurveChain* chain : {&curve, &secondRail}) {
+    for (const auto& segment : *chain)
+      for (const Vec3& point : segment) box.extend(point);
+  }
+  if (box.isEmpty()) return box;
+  const double by = std::max(secondRail.empty() ? largest(halfWidth) : 0.0, largest(halfDepth));
+  box.min().array() -= by;
+  box.max().array() += by;
+  return box;
 }
 
 }  // namespace modeling

@@ -2,6 +2,9 @@
 
 #include <numbers>
 #include <optional>
+#include <string_view>
+
+#include <Eigen/Geometry>
 
 #include "modeling/shapes/bezier.h"
 #include "modeling/shapes/lattice.h"
@@ -36,6 +39,8 @@ enum class SweepSection {
 /// cells around are a multiple of 8; cells outwards follow from them and are not read. Angles run from the
 /// first axis towards the second.
 struct CurvedCylinderShape {
+  static constexpr std::string_view kName = "curvedCylinder";
+
   CurveChain curve;
   CurveChain secondRail;           ///< empty: `curve` is the centre line
   Vec3 firstAxis = Vec3::UnitY();  ///< not along the curve's start; not read with a second rail
@@ -43,11 +48,15 @@ struct CurvedCylinderShape {
   SweepSection section = SweepSection::disc;
   ValueChain halfWidth =
       constantValue(0.5);  ///< cm, > 0, along the first axis; one segment a curve segment, or one for all
-  ValueChain halfDepth = constantValue(0.5);  ///< cm, > 0, along the second axis; likewise
+  ValueChain halfDepth = constantValue(0.5);  ///< cm, > 0, along the second axis; as many segments
   double wallThickness = 0.3;                 ///< cm; ring and arc: > 0 and less than both half axes
   double startAngle = 0.0;                    ///< rad; arc only
   double endAngle = std::numbers::pi;         ///< rad; arc only, startAngle < endAngle < startAngle + 2 pi
   Resolution resolution;
+
+  /// Contains the solid, cm.
+  Eigen::AlignedBox3d box() const;
+  std::optional<double> cellEdge() const { return resolution.cellSize; }
 
   bool operator==(const CurvedCylinderShape&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "modeling/shapes/resolution.h"
+#include "sim/collider/triangle_mesh.h"
 
 namespace modeling {
 

@@ -4,7 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "modeling/shapes/mesh_shape.h"
+#include "modeling/shapes/lattice.h"
+
+namespace sim {
+class TriangleMesh;
+}
 
 namespace modeling {
 

@@ -1,3 +1,5 @@
+#include "modeling/shapes/mesh_lattice.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,8 +13,8 @@
 
 #include "modeling/shapes/mesh_cells.h"
 #include "modeling/shapes/mesh_features.h"
-#include "modeling/shapes/mesh_shape.h"
 #include "modeling/shapes/quality.h"
+#include "sim/collider/triangle_mesh.h"
 
 namespace modeling {
 
@@ -381,7 +383,7 @@ sim::Result<Lattice> fillMesh(const sim::TriangleMesh& mesh, double cellSize, Me
     return sim::Problem{"cellSize", "no cell of this size fits into the mesh, which is thinner everywhere",
                         "use smaller cells"};
   }
-  fit.crossings = mesh.crossings();
+  fit.crossings = sim::crossingsOf(mesh);
   Fitter fitter(mesh, cellSize, lattice);
   fitter.run();
   fit.farthest = fitter.farthest();

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
-#include "modeling/shapes/lattice.h"
-#include "sim/collider/triangle_mesh.h"
+#include <Eigen/Geometry>
 
 namespace modeling {
 
@@ -23,30 +24,21 @@ struct MeshSource {
   bool operator==(const MeshSource&) const = default;
 };
 
-/// A closed mesh filled with cells that end at its surface.
+/// A closed mesh filled with cells that end at its surface (mesh_lattice.h).
 struct MeshShape {
+  static constexpr std::string_view kName = "mesh";
+
   std::string file;  ///< see MeshSource
   MeshUnit unit = MeshUnit::guess;
   MeshUp up = MeshUp::guess;
   double cellSize = 0.5;  ///< cm, > 0
 
   MeshSource source() const { return {file, unit, up}; }
+  /// Empty: only the file says where it is.
+  Eigen::AlignedBox3d box() const { return {}; }
+  std::optional<double> cellEdge() const { return cellSize; }
 
   bool operator==(const MeshShape&) const = default;
 };
-
-/// How well a lattice fills a mesh.
-struct MeshFit {
-  double volumeShare = 0.0;    ///< volume of the cells over that of the mesh
-  double farthest = 0.0;       ///< cm: of the lattice's outer nodes from the mesh
-  std::size_t addedCells = 0;  ///< where the lattice would have hung together by an edge or a corner only
-  sim::TriangleMesh::Crossings crossings;  ///< of the mesh with itself
-};
-
-/// Cells of a cubic grid of which the mesh holds at least half, with their outer nodes moved onto the mesh
-/// and its sharp edges and corners, and the others evened out, as far as no cell gets badly skewed by it. A
-/// Problem's place is a key of MeshShape: the mesh is not closed, a cell is larger than the mesh is thick
-/// everywhere, or there would be too many. `parameters` are the shares of the mesh's box.
-sim::Result<Lattice> fillMesh(const sim::TriangleMesh& mesh, double cellSize, MeshFit& fit);
 
 }  // namespace modeling

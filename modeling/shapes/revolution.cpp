@@ -85,4 +85,17 @@ sim::Result<Lattice> build(const RevolutionShape& shape) {
   return wall ? completed(std::move(wall).value(), kRemedy) : wall;
 }
 
+Eigen::AlignedBox3d RevolutionShape::box() const {
+  // Curves stay within the hull of their control points.
+  Eigen::AlignedBox3d box;
+  for (const ProfileChain* profile : {&outside, &inside}) {
+    for (const auto& segment : *profile)
+      for (const Vec2& point : segment) {
+        box.extend(Vec3(point.x(), point.x(), point.y()));
+        box.extend(Vec3(-point.x(), -point.x(), point.y()));
+      }
+  }
+  return box;
+}
+
 }  // namespace modeling

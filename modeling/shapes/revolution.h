@@ -1,6 +1,10 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
+#include <string_view>
+
+#include <Eigen/Geometry>
 
 #include "modeling/shapes/bezier.h"
 #include "modeling/shapes/lattice.h"
@@ -33,12 +37,18 @@ enum class ProfileCorrespondence {
 /// Cells through the wall: in a solid body, the layers that wrap around its closed ends, by default as many
 /// as make its cells even; not read where both ends are open.
 struct RevolutionShape {
+  static constexpr std::string_view kName = "revolution";
+
   ProfileChain outside;
   ProfileChain inside;
   ProfileCorrespondence correspondence = ProfileCorrespondence::arcLength;
   double startAngle = 0.0;                    ///< rad, from x towards y
   double turnAngle = 2.0 * std::numbers::pi;  ///< rad, 0 < angle <= 2 pi
   Resolution resolution;
+
+  /// Contains the solid, cm.
+  Eigen::AlignedBox3d box() const;
+  std::optional<double> cellEdge() const { return resolution.cellSize; }
 
   bool operator==(const RevolutionShape&) const = default;
 };

@@ -25,4 +25,8 @@ sim::Result<Lattice> build(const SlabShape& shape) {
                    "give the slab lengths that are not so unlike");
 }
 
+Eigen::AlignedBox3d SlabShape::box() const {
+  return {Vec3(-0.5 * size.x(), -0.5 * size.y(), 0.0), Vec3(0.5 * size.x(), 0.5 * size.y(), size.z())};
+}
+
 }  // namespace modeling

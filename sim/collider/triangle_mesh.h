@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -35,13 +34,6 @@ class TriangleMesh {
   };
   const Gaps& gaps() const { return gaps_; }
   bool closed() const { return gaps_.count() == 0 && !triangles_.empty(); }
-  /// Where the surface passes through itself. Triangles that have a corner in common, or that lie in one
-  /// plane, do not count. Takes about as long as reading the mesh.
-  struct Crossings {
-    std::size_t triangles = 0;  ///< that another one passes through
-    Vec3 first = Vec3::Zero();  ///< on the first of them
-  };
-  Crossings crossings() const;
   /// Of a closed surface: the shortest way from the middle of a triangle straight in, to where it leaves
   /// again, cm; zero where it is open or inside out. A thousandth of its extent at least.
   double leastThickness() const { return leastThickness_; }
@@ -58,6 +50,11 @@ class TriangleMesh {
   Nearest nearest(const Vec3& point, std::uint32_t near = kNone) const;
   /// Of a closed surface: negative inside.
   double signedDistance(const Vec3& point) const;
+
+  /// Calls take(triangle) for every triangle that has a point between `low` and `high`, and for some others,
+  /// until take() answers true. Answers whether it did.
+  template <class Take>
+  bool anyWithin(const Vec3& low, const Vec3& high, const Take& take) const;
 
   const std::vector<Vec3>& points() const { return points_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -85,7 +82,6 @@ class TriangleMesh {
   double squaredDistance(const Branch& branch, const Vec3& point) const;
   void measureThickness();
   double wayThrough(std::uint32_t triangle) const;
-  std::optional<Vec3> crossingOf(std::uint32_t triangle) const;
 
   std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;
@@ -97,5 +93,24 @@ class TriangleMesh {
   std::vector<std::uint32_t> order_;              ///< triangles as the branches have them
   std::vector<Branch> branches_;
 };
+
+template <class Take>
+bool TriangleMesh::anyWithin(const Vec3& low, const Vec3& high, const Take& take) const {
+  // Halving four thousand million triangles takes 32 levels; each leaves one sibling to be looked at later.
+  std::array<std::uint32_t, 64> waiting{};
+  std::size_t count = 0;
+  if (!branches_.empty()) waiting[count++] = 0;
+  while (count > 0) {
+    const Branch& branch = branches_[waiting[--count]];
+    if ((branch.low.array() > high.array()).any() || (branch.high.array() < low.array()).any()) continue;
+    for (std::uint32_t i = 0; i < branch.count; ++i) {
+      if (take(order_[branch.first + i])) return true;
+    }
+    if (branch.count > 0) continue;
+    waiting[count++] = branch.first;
+    waiting[count++] = branch.first + 1;
+  }
+  return false;
+}
 
 }  // namespace sim

@@ -51,7 +51,7 @@ void addNodesNear(std::uint32_t index, double skin, const ContactScene& scene, N
   const Collider& collider = scene.colliders[index].shape;
   const std::vector<std::uint8_t> fragments = fragmentsNear(collider, skin, scene, near.clearance);
   if (std::find(fragments.begin(), fragments.end(), 1) == fragments.end()) return;
-  const bool plane = collider.shape == ColliderShape::floor;
+  const bool plane = collider.isFloor();
   const Vec3 normal = collider.rotation * Vec3::UnitZ();
   const double offset = normal.dot(collider.position);
   for (NodeIndex node = 0; node < scene.components.fragmentOfNode().size(); ++node) {

@@ -8,35 +8,9 @@
 namespace sim {
 namespace {
 
-/// Distance of the furthest point of a collider's surface from its origin, cm. A plane has none.
-double reachOf(const Collider& collider) {
-  switch (collider.shape) {
-    case ColliderShape::floor:
-      return std::numeric_limits<double>::max();
-    case ColliderShape::box:
-      return collider.halfSize.norm();
-    case ColliderShape::sphere:
-      return collider.radius;
-    case ColliderShape::cylinder:
-      return std::hypot(collider.radius, collider.halfHeight);
-    case ColliderShape::mesh: {
-      const Eigen::AlignedBox3d box = collider.mesh->box();
-      return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm() + collider.halfThickness;
-    }
-  }
-  return 0.0;
-}
-
-bool sameMesh(const Collider& left, const Collider& right) {
-  if (left.mesh == right.mesh) return true;
-  return left.mesh && right.mesh && *left.mesh == *right.mesh;
-}
-
 /// Whether they push alike where they are.
-bool sameKind(const Collider& left, const Collider& right) {
-  return left.halfSize == right.halfSize && left.radius == right.radius &&
-         left.halfHeight == right.halfHeight && left.stiffness == right.stiffness &&
-         left.halfThickness == right.halfThickness && sameMesh(left, right) &&
+bool pushAlike(const Collider& left, const Collider& right) {
+  return left.shape == right.shape && left.stiffness == right.stiffness &&
          left.dampingRatio == right.dampingRatio && left.friction == right.friction;
 }
 
@@ -105,7 +79,7 @@ void Controls::moveCollider(std::uint32_t c, const DrivenCollider& driven, Chang
   const bool turned = before.shape.rotation.coeffs() != now.shape.rotation.coeffs();
   const double turn =
       turned ? before.shape.rotation.angularDistance(now.shape.rotation) * reachOf(now.shape) : 0.0;
-  const bool another = !sameKind(before.shape, now.shape);
+  const bool another = !pushAlike(before.shape, now.shape);
   change.leap |= another || (shift > 0.0 && !driven.glides) || (turn > 0.0 && !driven.turns);
   change.colliders |= another;
   moved_[c] = shift > 0.0 || turn > 0.0 ? 1 : 0;

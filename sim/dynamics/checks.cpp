@@ -106,7 +106,7 @@ std::optional<Problem> findFaultOfReplan(const World& world, const Environment& 
       return Problem{place, "the collider '" + name + "' is gone from a run that has begun",
                      "let its time to act end instead"};
     }
-    if (colliders[c].shape != before[c].shape.shape) {
+    if (colliders[c].shape.index() != before[c].shape.shape.index()) {
       return Problem{place, "the collider '" + name + "' has another shape in a run that has begun",
                      "add another one behind the last"};
     }

@@ -1,3 +1,5 @@
+#include "modeling/shapes/mesh_lattice.h"
+
 #include <catch2/catch.hpp>
 
 #include "modeling/shapes/mesh_cells.h"
@@ -85,9 +87,9 @@ TEST_CASE("closed bodies stuck into each other are filled as one, and it is told
   }
   const TriangleMesh both(points, triangles);
   REQUIRE(both.closed());
-  CHECK(box.crossings().triangles == 0);
-  CHECK(tests::ballMesh(2.0, 32).crossings().triangles == 0);
-  const auto crossings = both.crossings();
+  CHECK(sim::crossingsOf(box).triangles == 0);
+  CHECK(sim::crossingsOf(tests::ballMesh(2.0, 32)).triangles == 0);
+  const auto crossings = sim::crossingsOf(both);
   // The two of the larger box's side, and of the smaller's four sides both.
   CHECK(crossings.triangles == 10);
   CHECK(crossings.first.x() == Approx(1.0));

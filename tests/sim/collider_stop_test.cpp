@@ -10,7 +10,6 @@
 namespace {
 
 using sim::Collider;
-using sim::ColliderShape;
 using sim::TriangleMesh;
 using sim::Vec3;
 
@@ -37,10 +36,12 @@ TriangleMesh bentSheet() {
 
 Collider meshed(TriangleMesh mesh, double thickness) {
   Collider collider;
-  collider.shape = ColliderShape::mesh;
-  collider.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
-  collider.halfThickness = 0.5 * thickness;
+  collider.shape = sim::SurfaceShape{std::make_shared<const TriangleMesh>(std::move(mesh)), 0.5 * thickness};
   return collider;
+}
+
+const TriangleMesh& meshOf(const Collider& collider) {
+  return *std::get<sim::SurfaceShape>(collider.shape).mesh;
 }
 
 bool passesThrough(const TriangleMesh& mesh, const Vec3& from, const Vec3& to) {
@@ -62,8 +63,8 @@ bool passesThrough(const TriangleMesh& mesh, const Vec3& from, const Vec3& to) {
 
 /// Inside a solid so deep that the nearest way out may be another side, or on the other side of a sheet.
 bool crosses(const Collider& collider, const Vec3& from, const Vec3& to) {
-  if (collider.shape == ColliderShape::mesh && !collider.mesh->closed())
-    return passesThrough(*collider.mesh, from, to);
+  const auto* surface = std::get_if<sim::SurfaceShape>(&collider.shape);
+  if (surface != nullptr && !surface->mesh->closed()) return passesThrough(*surface->mesh, from, to);
   return sim::intrusion(collider, to).depth > 0.95 * sim::deepest(collider) / 0.8;
 }
 
@@ -113,15 +114,15 @@ TEST_CASE("no stone gets through a thin sheet or plate, however fast, wherever a
   const double thickness = GENERATE(0.1, 0.6);
   const TriangleMesh sheet = bentSheet();
   const TriangleMesh plate = tests::boxMesh(Vec3(2.0, 2.0, 0.5 * thickness));
-  Collider box = meshed(plate, 0.0);
-  box.shape = ColliderShape::box;
-  box.halfSize = Vec3(2.0, 2.0, 0.5 * thickness);
-  for (Collider collider : {meshed(sheet, thickness), meshed(plate, 0.0), box}) {
+  Collider box;
+  box.shape = sim::BoxShape{Vec3(2.0, 2.0, 0.5 * thickness)};
+  for (auto [collider, mesh] : {std::pair(meshed(sheet, thickness), &sheet),
+                                std::pair(meshed(plate, 0.0), &plate), std::pair(box, &plate)}) {
     collider.stiffness = 1e5;
     for (const double step : {1e-5, 1e-4}) {
       sim::Settings settings = tests::losslessSettings();
       settings.step = step;
-      const auto flight = tests::simulation(stonesAt(*collider.mesh, speed, 96), settings, only(collider));
+      const auto flight = tests::simulation(stonesAt(*mesh, speed, 96), settings, only(collider));
       const double kinetic = flight->snapshot().ledger.energy.kinetic;
       CHECK(countCrossings(*flight, collider, std::min(400.0 * step, 8.0 / speed)) == 0);
       CHECK(flight->maxRise() < 1e-3);
@@ -139,7 +140,7 @@ TEST_CASE("no method and no automatic step lets a stone through a sheet") {
   sheet.stiffness = 1e5;
   sim::Settings settings = tests::losslessSettings();
   settings.method = method;
-  const auto flight = tests::simulation(stonesAt(*sheet.mesh, 2000.0, 48), settings, only(sheet));
+  const auto flight = tests::simulation(stonesAt(meshOf(sheet), 2000.0, 48), settings, only(sheet));
   const double kinetic = flight->snapshot().ledger.energy.kinetic;
   CHECK(countCrossings(*flight, sheet, 4e-3) == 0);
   CHECK(flight->snapshot().ledger.energy.kinetic < kinetic);
@@ -148,7 +149,7 @@ TEST_CASE("no method and no automatic step lets a stone through a sheet") {
 TEST_CASE("a sheet that is swung takes stones along and lets none through") {
   Collider sheet = meshed(bentSheet(), 0.1);
   sheet.stiffness = 1e5;
-  sim::Blueprint stones = stonesAt(*sheet.mesh, 0.0, 60);
+  sim::Blueprint stones = stonesAt(meshOf(sheet), 0.0, 60);
   for (sim::Blueprint::Node& stone : stones.nodes)
     stone.position = Vec3(0.45 * stone.position.x(), 0.45 * stone.position.y(), 3.0);
   sim::Track swing;
@@ -166,7 +167,7 @@ TEST_CASE("a sheet that is swung takes stones along and lets none through") {
     const Vec3 place = end.positions[n] - Vec3(0.0, 0.0, 18.0);
     if (std::max(std::abs(place.x()), std::abs(place.y())) > 1.9) continue;
     ++carried;
-    CHECK_FALSE(passesThrough(*sheet.mesh, place, place + Vec3(0.0, 0.0, 100.0)));
+    CHECK_FALSE(passesThrough(meshOf(sheet), place, place + Vec3(0.0, 0.0, 100.0)));
     CHECK(end.velocities[n].z() > 1999.0);
   }
   CHECK(carried > 20);
@@ -185,11 +186,11 @@ TEST_CASE("a soft block at 100 m/s does not get through a thin plate, and all it
   const bool breaks = GENERATE(false, true);
   tests::Block block = fallingBlock(10000.0);
   if (breaks) block.material.thresholdMean = 0.2;
+  const Vec3 halfSize(4.0, 4.0, 0.25);
   Collider box;
-  box.shape = ColliderShape::box;
-  box.halfSize = Vec3(4.0, 4.0, 0.25);
+  box.shape = sim::BoxShape{halfSize};
   for (const Collider& plate :
-       {box, meshed(tests::boxMesh(box.halfSize), 0.0), meshed(tests::sheetMesh(4.0), 0.5)}) {
+       {box, meshed(tests::boxMesh(halfSize), 0.0), meshed(tests::sheetMesh(4.0), 0.5)}) {
     std::array<std::uint64_t, 2> hashes{};
     for (const int threads : {1, 2}) {
       sim::Settings settings = tests::losslessSettings();

@@ -1,17 +1,19 @@
 #include "sim/collider/collider.h"
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
+#include "sim/collider/triangle_mesh.h"
 #include "tests/support/meshes.h"
 #include "tests/support/spring_network.h"
 
 namespace {
 
 using sim::Collider;
-using sim::ColliderShape;
 using sim::Intrusion;
 using sim::Vec3;
 
@@ -21,44 +23,51 @@ Vec3 randomPoint(std::uint64_t seed, std::uint64_t counter) {
                 Vec3::Constant(0.5));
 }
 
+const Vec3 kHalfSize(1.0, 2.0, 1.5);
+
+/// One of each kind. The mesh is the box's.
+std::vector<sim::ColliderShape> oneOfEach() {
+  return {sim::FloorShape{}, sim::BoxShape{kHalfSize}, sim::SphereShape{1.7}, sim::CylinderShape{1.7, 1.2},
+          sim::SurfaceShape{std::make_shared<const sim::TriangleMesh>(tests::boxMesh(kHalfSize)), 0.0}};
+}
+
 /// Turned and shifted, so that nothing rests on axes.
-Collider turned(ColliderShape shape) {
+Collider turned(const sim::ColliderShape& shape) {
   Collider collider;
   collider.shape = shape;
   collider.position = Vec3(0.3, -0.2, 0.4);
   collider.rotation = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -1.0).normalized());
-  collider.halfSize = Vec3(1.0, 2.0, 1.5);
-  collider.radius = 1.7;
-  collider.halfHeight = 1.2;
-  collider.mesh = std::make_shared<const sim::TriangleMesh>(tests::boxMesh(collider.halfSize));
   return collider;
 }
 
-/// Inside or not, from the shape's definition alone.
-bool holds(const Collider& collider, const Vec3& point) {
-  const Vec3 local = collider.rotation.conjugate() * (point - collider.position);
-  const bool withinRadius = std::hypot(local.x(), local.y()) < collider.radius;
-  switch (collider.shape) {
-    case ColliderShape::floor:
-      return local.z() < 0.0;
-    case ColliderShape::box:
-    case ColliderShape::mesh:
-      return (local.cwiseAbs().array() < collider.halfSize.array()).all();
-    case ColliderShape::sphere:
-      return local.norm() < collider.radius;
-    case ColliderShape::cylinder:
-      return withinRadius && std::abs(local.z()) < collider.halfHeight;
+/// Inside or not, and how far up the middle it is, from the shape's definition alone.
+struct Definition {
+  Vec3 local;
+
+  bool holds(const sim::FloorShape&) const { return local.z() < 0.0; }
+  bool holds(const sim::BoxShape& box) const {
+    return (local.cwiseAbs().array() < box.halfSize.array()).all();
   }
-  return false;
+  bool holds(const sim::SphereShape& sphere) const { return local.norm() < sphere.radius; }
+  bool holds(const sim::CylinderShape& cylinder) const {
+    return std::hypot(local.x(), local.y()) < cylinder.radius && std::abs(local.z()) < cylinder.halfHeight;
+  }
+  bool holds(const sim::SurfaceShape&) const { return holds(sim::BoxShape{kHalfSize}); }
+
+  static double top(const sim::FloorShape&) { return 0.0; }
+  static double top(const sim::BoxShape& box) { return box.halfSize.z(); }
+  static double top(const sim::SphereShape& sphere) { return sphere.radius; }
+  static double top(const sim::CylinderShape& cylinder) { return cylinder.halfHeight; }
+  static double top(const sim::SurfaceShape&) { return kHalfSize.z(); }
+};
+
+bool holds(const Collider& collider, const Vec3& point) {
+  const Definition definition{collider.rotation.conjugate() * (point - collider.position)};
+  return std::visit([&](const auto& shape) { return definition.holds(shape); }, collider.shape);
 }
 
-/// The mesh is the box's.
-constexpr std::array<ColliderShape, 5> kShapes = {ColliderShape::floor, ColliderShape::box,
-                                                  ColliderShape::sphere, ColliderShape::cylinder,
-                                                  ColliderShape::mesh};
-
 TEST_CASE("an intrusion leads out of the collider by the nearest way") {
-  for (const ColliderShape shape : kShapes) {
+  for (const sim::ColliderShape& shape : oneOfEach()) {
     const Collider collider = turned(shape);
     int inside = 0;
     for (std::uint64_t p = 0; p < 2000; ++p) {
@@ -80,13 +89,46 @@ TEST_CASE("an intrusion leads out of the collider by the nearest way") {
 }
 
 TEST_CASE("outside, no point is nearer to the collider than its negative depth") {
-  for (const ColliderShape shape : kShapes) {
+  for (const sim::ColliderShape& shape : oneOfEach()) {
     const Collider collider = turned(shape);
     for (std::uint64_t p = 0; p < 2000; ++p) {
       const Vec3 point = randomPoint(13, p);
       const double depth = sim::intrusion(collider, point).depth;
       if (depth > 0.0) continue;
       REQUIRE_FALSE(holds(collider, point - 0.999 * depth * randomPoint(14, p).normalized()));
+    }
+  }
+}
+
+TEST_CASE("what is drawn of a collider is its surface") {
+  for (const sim::ColliderShape& shape : oneOfEach()) {
+    const Collider collider = turned(shape);
+    if (collider.isFloor()) continue;
+    const sim::ColliderSurface surface = sim::surfaceOf(collider);
+    REQUIRE(surface.points.size() == surface.normals.size());
+    REQUIRE_FALSE(surface.quads.empty());
+    const auto inWorld = [&](const Vec3& point) -> Vec3 {
+      return collider.position + collider.rotation * point;
+    };
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+      REQUIRE(surface.normals[i].norm() == Approx(1.0));
+      REQUIRE(sim::intrusion(collider, inWorld(surface.points[i])).depth == Approx(0.0).margin(1e-9));
+    }
+    for (const auto& quad : surface.quads) {
+      // Seen from outside, corners go round counter-clockwise, and normals point out.
+      const Vec3& a = surface.points[quad[0]];
+      const Vec3 first = surface.points[quad[2]] - a;
+      const Vec3 area = (surface.points[quad[1]] - a).cross(first) + first.cross(surface.points[quad[3]] - a);
+      for (const std::uint32_t corner : quad) {
+        if (area.norm() > 1e-12) REQUIRE(area.dot(surface.normals[corner]) > 0.0);
+      }
+    }
+    const Eigen::AlignedBox3d box = sim::boxOf(collider);
+    for (const auto& line : sim::outlineOf(collider)) {
+      for (const Vec3& point : line) {
+        REQUIRE(sim::intrusion(collider, point).depth == Approx(0.0).margin(1e-9));
+        REQUIRE(box.contains(point));
+      }
     }
   }
 }
@@ -113,7 +155,7 @@ sim::Settings fixedStep(double step) {
 }
 
 TEST_CASE("a node that flies into a collider is thrown back along the normal") {
-  for (const ColliderShape shape : kShapes) {
+  for (const sim::ColliderShape& shape : oneOfEach()) {
     Collider collider = turned(shape);
     collider.stiffness = 1e5;
     collider.dampingRatio = 0.0;
@@ -131,18 +173,14 @@ TEST_CASE("a node that flies into a collider is thrown back along the normal") {
 }
 
 TEST_CASE("a collider never pulls, however strong its damping") {
-  for (const ColliderShape shape : kShapes) {
+  for (const sim::ColliderShape& shape : oneOfEach()) {
     Collider collider = turned(shape);
     collider.stiffness = 1e4;
     collider.dampingRatio = 3.0;
     collider.friction = 0.0;
     // A node inside that leaves faster than the spring alone would throw it.
     const Vec3 axis = collider.rotation * Vec3::UnitZ();
-    const double top = shape == ColliderShape::floor    ? 0.0
-                       : shape == ColliderShape::box    ? collider.halfSize.z()
-                       : shape == ColliderShape::mesh   ? collider.halfSize.z()
-                       : shape == ColliderShape::sphere ? collider.radius
-                                                        : collider.halfHeight;
+    const double top = std::visit([](const auto& one) { return Definition::top(one); }, shape);
     const auto flight = tests::simulation(stone(collider.position + (top - 0.1) * axis, 50.0 * axis),
                                           fixedStep(1e-5), only(collider));
     double slowest = 50.0;
@@ -172,7 +210,7 @@ TEST_CASE("damping takes what the coefficient of restitution says") {
 }
 
 TEST_CASE("an invisible collider pushes like a visible one") {
-  Collider sphere = turned(ColliderShape::sphere);
+  Collider sphere = turned(sim::SphereShape{1.7});
   sphere.stiffness = 1e4;
   std::array<std::uint64_t, 2> hashes{};
   for (const bool visible : {false, true}) {
@@ -237,9 +275,7 @@ TEST_CASE("the work of a moving collider is what the node gains") {
 
 TEST_CASE("a collider that turns carries along what lies on it") {
   Collider disc;
-  disc.shape = ColliderShape::cylinder;
-  disc.radius = 5.0;
-  disc.halfHeight = 1.0;
+  disc.shape = sim::CylinderShape{5.0, 1.0};
   disc.stiffness = 1e5;
   disc.friction = 0.5;
   sim::Environment environment = only(disc);
@@ -260,7 +296,7 @@ TEST_CASE("a collider that turns carries along what lies on it") {
 
 TEST_CASE("a collider that leaps into a body does the work that it leaves there") {
   Collider sphere;
-  sphere.shape = ColliderShape::sphere;
+  sphere.shape = sim::SphereShape{};
   sphere.stiffness = 1e4;
   sphere.dampingRatio = 0.0;
   sphere.friction = 0.0;

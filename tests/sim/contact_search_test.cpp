@@ -110,9 +110,8 @@ TEST_CASE("stoneware passes neither through the floor nor through a thin plate a
   constexpr double kSpeed = 1e4;
   sim::Environment plate = tests::weightless();
   sim::Collider& box = plate.colliders.emplace_back();
-  box.shape = sim::ColliderShape::box;
+  box.shape = sim::BoxShape{Vec3(10.0, 10.0, 0.25)};
   box.position = Vec3(1.5, 1.5, -0.25);
-  box.halfSize = Vec3(10.0, 10.0, 0.25);
   // Let in by v / omega of the corner nodes, 0.05, and twice that as the block goes on pressing.
   CHECK(lowestOfImpact(kSpeed, tests::earth()) > -0.25);
   CHECK(lowestOfImpact(kSpeed, plate) > -0.25);

@@ -47,7 +47,7 @@ sim::Settings settingsFor(Method method, int threads = 1) {
 sim::Collider ball(const Vec3& position, double from, double until) {
   sim::Collider ball;
   ball.name = "ball";
-  ball.shape = sim::ColliderShape::sphere;
+  ball.shape = sim::SphereShape{};
   ball.position = position;
   ball.activeFrom = from;
   ball.activeUntil = until;
@@ -195,7 +195,7 @@ TEST_CASE("plans that do not fit a run are refused, and change nothing") {
   none.colliders.clear();
   CHECK(run->replan(none, {}).problem().place == "environment.colliders[0]");
   sim::Environment other = environment;
-  other.colliders[0].shape = sim::ColliderShape::box;
+  other.colliders[0].shape = sim::BoxShape{};
   CHECK(run->replan(other, {}).problem().place == "environment.colliders[0]");
   CHECK(run->replan(environment, {scalar(TrackTarget::stiffnessScale, {{0.0, -1.0}})}).problem().place ==
         "tracks[0]");

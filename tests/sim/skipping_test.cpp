@@ -365,8 +365,7 @@ TEST_CASE("a collider that comes along pushes a sleeper") {
   sim::Environment environment = dampedFloor();
   sim::Collider& ball = environment.colliders.emplace_back();
   ball.name = "ball";
-  ball.shape = sim::ColliderShape::sphere;
-  ball.radius = 1.0;
+  ball.shape = sim::SphereShape{1.0};
   sim::Track track;
   track.target = sim::TrackTarget::colliderPosition;
   track.object = 1;

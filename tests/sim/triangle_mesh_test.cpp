@@ -100,15 +100,14 @@ std::unique_ptr<sim::Simulation> thrown(const sim::Collider& collider, const Vec
 
 TEST_CASE("nothing leaks through a ball of triangles or the rim of a sheet, wherever it is hit") {
   sim::Collider ball;
-  ball.shape = sim::ColliderShape::mesh;
-  ball.mesh = std::make_shared<const TriangleMesh>(tests::ballMesh(2.0, 8));
+  const auto round = std::make_shared<const TriangleMesh>(tests::ballMesh(2.0, 8));
+  ball.shape = sim::SurfaceShape{round, 0.0};
   ball.stiffness = 1e5;
   sim::Collider sheet = ball;
-  sheet.mesh = std::make_shared<const TriangleMesh>(tests::sheetMesh(2.0));
-  sheet.halfThickness = 0.3;
+  sheet.shape = sim::SurfaceShape{std::make_shared<const TriangleMesh>(tests::sheetMesh(2.0)), 0.3};
   for (std::uint64_t p = 0; p < 60; ++p) {
     // At corners and edges of the ball too: the first are aimed straight at its points.
-    const Vec3 aim = p < 30 ? ball.mesh->points()[3 * p] : Vec3(2.0 * randomPoint(p, 1.0).normalized());
+    const Vec3 aim = p < 30 ? round->points()[3 * p] : Vec3(2.0 * randomPoint(p, 1.0).normalized());
     const auto flight = thrown(ball, 2.0 * aim, -20.0 * aim);
     double deepest = 10.0;
     for (int n = 0; n < 1500; ++n) {

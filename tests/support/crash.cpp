@@ -19,9 +19,7 @@ sim::Environment surroundings(const CrashOptions& options) {
   sim::Environment environment = earth();
   if (!options.onSheet) return environment;
   sim::Collider& sheet = environment.colliders.front();
-  sheet.shape = sim::ColliderShape::mesh;
-  sheet.mesh = std::make_shared<const sim::TriangleMesh>(sheetMesh(30.0));
-  sheet.halfThickness = 0.1;
+  sheet.shape = sim::SurfaceShape{std::make_shared<const sim::TriangleMesh>(sheetMesh(30.0)), 0.1};
   return environment;
 }
 

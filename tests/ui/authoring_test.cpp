@@ -49,10 +49,8 @@ struct Desk {
 
   const modeling::Scene& scene() { return session.document().scene(); }
   OutlinerTree& tree() { return outliner->tree(); }
-  void add(NewThing::Kind kind, std::optional<ProfilePreset> preset = std::nullopt) {
-    adding->add({kind, preset});
-  }
-  void addCup() { add(NewThing::Kind::profile, ProfilePreset::cup); }
+  void add(const char* name) { adding->add(newThing(name)); }
+  void addCup() { add("cup"); }
   void select(ItemKind kind, std::size_t index) { session.selection().select({kind, index}); }
   bool builds() {
     return QTest::qWaitFor([&] { return !session.isBuilding() && session.preview()->scene == scene(); },
@@ -149,7 +147,7 @@ TEST_CASE("Selection in the outliner and elsewhere is the same", "[authoring]") 
 TEST_CASE("A part is renamed in the outliner, and its glue follows", "[authoring]") {
   Desk desk;
   desk.addCup();
-  desk.add(NewThing::Kind::handle);
+  desk.add("handle");
   REQUIRE(desk.scene().glue.size() == 1);
   const modeling::Scene before = desk.scene();
   desk.click(kFirst);
@@ -185,7 +183,7 @@ TEST_CASE("The eye and the lock of a row hide and lock it", "[authoring]") {
 TEST_CASE("What is selected is doubled and deleted by keys", "[authoring]") {
   Desk desk;
   desk.addCup();
-  desk.add(NewThing::Kind::handle);
+  desk.add("handle");
   desk.session.selection().set({kFirst, kSecond});
   QTest::keyClick(&desk.tree(), Qt::Key_D, Qt::ControlModifier);
   CHECK(desk.scene().parts.size() == 4);

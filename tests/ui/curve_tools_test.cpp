@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "ui/editors/bezier_edit.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/editor_actions.h"
 #include "ui/editors/points_tool.h"
 #include "ui/viewport/viewport.h"

@@ -52,7 +52,7 @@ TEST_CASE("A cup with a handle is built, dropped, broken, scrubbed, made to snee
   REQUIRE(desk.scene().parts.size() == 1);
   desk.waitUntilBuilt();
   desk.window.viewport().frameAll();
-  desk.window.findChild<ui::AddActions*>()->add({ui::NewThing::Kind::handle, {}});
+  desk.window.findChild<ui::AddActions*>()->add(ui::newThing("handle"));
   REQUIRE(desk.scene().parts.size() == 2);
   REQUIRE(desk.scene().glue.size() == 1);
   desk.waitUntilBuilt();

@@ -82,8 +82,7 @@ TEST_CASE("what moves while the shutter is open is blurred along its way") {
 TEST_CASE("glass lets through what stands behind it") {
   PictureScene scene = cubeScene();
   sim::Collider ball;
-  ball.shape = sim::ColliderShape::sphere;
-  ball.radius = 0.6;
+  ball.shape = sim::SphereShape{0.6};
   ball.position = {1.0, 5.0, 1.0};
   const auto middle = [&](bool withBall) {
     scene.colliders.clear();

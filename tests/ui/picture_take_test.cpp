@@ -47,10 +47,9 @@ TEST_CASE("a picture of a frame has the surface, the looks, and colliders where 
   REQUIRE(scene->looks.size() == 1);
   CHECK(scene->looks[0].outside[2] == 0.3);
   REQUIRE(scene->colliders.size() == 2);
-  CHECK(scene->colliders[0].shape == sim::ColliderShape::sphere);
-  CHECK(scene->colliders[0].radius == 2.5);
+  CHECK(scene->colliders[0].shape == sim::ColliderShape(sim::SphereShape{2.5}));
   CHECK(scene->colliders[0].position.z() == Approx(4.0));
-  CHECK(scene->colliders[1].halfSize == Vec3(1, 2, 3));
+  CHECK(scene->colliders[1].shape == sim::ColliderShape(sim::BoxShape{Vec3(1, 2, 3)}));
   CHECK_FALSE(scene->colliders[1].visible);
   CHECK((scene->colliders[1].rotation * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-12);
 }

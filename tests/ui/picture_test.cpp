@@ -29,8 +29,7 @@ PictureScene ballScene(double height) {
   PictureScene scene;
   Collider floor;
   Collider ball;
-  ball.shape = sim::ColliderShape::sphere;
-  ball.radius = 3.0;
+  ball.shape = sim::SphereShape{3.0};
   ball.position = {0.0, 0.0, height};
   scene.colliders = {floor, ball};
   scene.subject = ui::Box(Vec3(-3, -3, 0), Vec3(3, 3, 6));

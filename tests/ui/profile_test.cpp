@@ -4,8 +4,8 @@
 
 #include "modeling/shapes/measured_chain.h"
 #include "modeling/shapes/quality.h"
-#include "ui/document/part_presets.h"
-#include "ui/editors/bezier_edit.h"
+#include "ui/kinds/part_presets.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/offset_profile.h"
 #include "ui/editors/profile_model.h"
 

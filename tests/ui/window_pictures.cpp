@@ -39,18 +39,15 @@ using tests::WindowStudio;
 using ui::Item;
 using ui::ItemKind;
 
-Scene withThings(const std::vector<ui::NewThing>& things) {
+Scene withThings(const std::vector<const char*>& names) {
   Scene scene = ui::newScene();
   std::vector<Item> selected;
-  for (const ui::NewThing& thing : things) selected = {ui::addThing(scene, thing, selected)};
+  for (const char* name : names) selected = {ui::addThing(scene, ui::newThing(name), selected)};
   return scene;
 }
 
-constexpr ui::NewThing kCup{ui::NewThing::Kind::profile, ui::ProfilePreset::cup};
-constexpr ui::NewThing kHandle{ui::NewThing::Kind::handle, {}};
-
 Scene cup() {
-  Scene scene = withThings({kCup, kHandle});
+  Scene scene = withThings({"cup", "handle"});
   scene.name = "My cup";
   return scene;
 }
@@ -87,13 +84,7 @@ Scene fallingCup() {
 
 /// One of everything that has properties of its own.
 Scene oneOfEach(const std::filesystem::path& folder) {
-  std::vector<ui::NewThing> things = {kCup, kHandle};
-  for (const ui::NewThing& thing : ui::newThings()) {
-    using Kind = ui::NewThing::Kind;
-    for (const Kind kind : {Kind::slab, Kind::patch, Kind::box, Kind::sphere, Kind::cylinder})
-      if (thing.kind == kind) things.push_back(thing);
-  }
-  Scene scene = withThings(things);
+  Scene scene = withThings({"cup", "handle", "slab", "patch", "box", "sphere", "cylinder"});
   std::filesystem::copy_file(modeling::resourcesFolder() / "scenes" / "meshes" / "fluted-vase.obj",
                              folder / "fluted-vase.obj");
   ui::addMesh(scene, "fluted-vase.obj", {});
@@ -192,7 +183,7 @@ void takeEditors(WindowStudio& studio) {
   studio.take("view-glue-pairs", &studio.window().viewport());
   view.gluePairs = view.xray = false;
   studio.window().viewport().setViewSettings(view);
-  studio.load(withThings({{ui::NewThing::Kind::patch, {}}}));
+  studio.load(withThings({"patch"}));
   studio.session().selection().select({ItemKind::part, 0});
   studio.trigger("Edit Points");
   studio.take("points-of-a-patch");
@@ -403,8 +394,7 @@ void takeLongRun(WindowStudio& studio) {
 }
 
 void takeRecent(WindowStudio& studio) {
-  const std::pair<const char*, Scene> scenes[] = {
-      {"my-cup", cup()}, {"vase", withThings({{ui::NewThing::Kind::profile, ui::ProfilePreset::vase}})}};
+  const std::pair<const char*, Scene> scenes[] = {{"my-cup", cup()}, {"vase", withThings({"vase"})}};
   for (const auto& [name, scene] : scenes) {
     const auto file = studio.desk() / (std::string(name) + ".scene.json");
     if (!modeling::saveScene(scene, file)) qFatal("cannot save");

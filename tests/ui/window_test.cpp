@@ -14,11 +14,11 @@
 #include "modeling/scene/scene_file.h"
 #include "tests/ui/whole_window.h"
 #include "tests/ui/window_scenes.h"
-#include "ui/document/new_parts.h"
 #include "ui/document/new_scene.h"
 #include "ui/editors/glue_pairs.h"
 #include "ui/files/autosave.h"
 #include "ui/files/recent_files.h"
+#include "ui/kinds/new_things.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/focus_order.h"
 #include "ui/window/main_window.h"
@@ -162,9 +162,9 @@ TEST_CASE("A mesh that is dropped on the window becomes a part or an obstacle, a
 TEST_CASE("The view of glue shows the pairs of all gluings while the scene is at rest") {
   Desk desk;
   Scene scene = ui::newScene();
-  const ui::Item cup = ui::addThing(scene, {ui::NewThing::Kind::profile, ui::ProfilePreset::cup}, {});
-  ui::addThing(scene, {ui::NewThing::Kind::handle, {}}, {cup});
-  ui::addThing(scene, {ui::NewThing::Kind::spout, {}}, {cup});
+  const ui::Item cup = ui::addThing(scene, ui::newThing("cup"), {});
+  ui::addThing(scene, ui::newThing("handle"), {cup});
+  ui::addThing(scene, ui::newThing("spout"), {cup});
   scene.output = {100.0, 0.01};
   desk.load(scene);
   auto& pairs = *desk.viewport().findChild<ui::GluePairs*>();
@@ -221,8 +221,8 @@ void checkTabs(QWidget& panel, QWidget& first, const char* name) {
 
 Scene cupWithHandle() {
   Scene scene = tests::breakingSlab();
-  ui::addThing(scene, {ui::NewThing::Kind::profile, ui::ProfilePreset::cup}, {});
-  ui::addThing(scene, {ui::NewThing::Kind::handle, {}}, {{ui::ItemKind::part, 1}});
+  ui::addThing(scene, ui::newThing("cup"), {});
+  ui::addThing(scene, ui::newThing("handle"), {{ui::ItemKind::part, 1}});
   return scene;
 }
 

@@ -214,7 +214,7 @@ Item duplicateCollider(Scene& scene, std::size_t index, const sim::Vec3& offset)
   auto& colliders = scene.environment.colliders;
   modeling::SceneCollider copy = colliders[index];
   copy.name = uniqueName(copy.name, namesOf(scene, ItemKind::collider));
-  if (!std::holds_alternative<modeling::FloorShape>(copy.form)) copy.position += offset;
+  if (!copy.isFloor()) copy.position += offset;
   colliders.push_back(std::move(copy));
   return {ItemKind::collider, colliders.size() - 1};
 }

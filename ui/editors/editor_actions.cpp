@@ -10,6 +10,7 @@
 #include "ui/editors/points_tool.h"
 #include "ui/editors/render_dialog.h"
 #include "ui/editors/threshold_dialog.h"
+#include "ui/kinds/part_kinds.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport.h"
 
@@ -88,7 +89,7 @@ const modeling::Part* EditorActions::selectedPart() const {
 void EditorActions::togglePoints() {
   if (dynamic_cast<PointsTool*>(viewport_.tool()) != nullptr) return viewport_.setTool(nullptr);
   const modeling::Part* part = selectedPart();
-  if (part != nullptr && std::holds_alternative<modeling::RevolutionShape>(part->shape)) {
+  if (part != nullptr && kindOf(part->shape).editor == ShapeEditor::profile) {
     editPoints_->setChecked(false);
     emit profileWanted();
   } else if (part != nullptr && hasPoints(part->shape)) {
@@ -123,8 +124,7 @@ void EditorActions::show() {
       if (viewport_.tool() == wanted) viewport_.setTool(nullptr);
     });
   }
-  const bool edits = part != nullptr && (hasPoints(part->shape) ||
-                                         std::holds_alternative<modeling::RevolutionShape>(part->shape));
+  const bool edits = part != nullptr && kindOf(part->shape).editor != ShapeEditor::none;
   editPoints_->setEnabled(edits || tool != nullptr);
   const modeling::Scene& scene = session_.document().scene();
   glue_->setEnabled(scene.parts.size() > 1 || glue_->isChecked());

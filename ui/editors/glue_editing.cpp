@@ -10,15 +10,7 @@ constexpr int kPollMilliseconds = 15;
 const QString kReachGesture = QStringLiteral("glue reach");
 
 double cellSizeOf(const modeling::Part& part) {
-  return std::visit(
-      [](const auto& shape) {
-        if constexpr (requires { shape.resolution; }) {
-          return shape.resolution.cellSize;
-        } else {
-          return modeling::Resolution{}.cellSize;
-        }
-      },
-      part.shape);
+  return modeling::cellEdgeOf(part.shape).value_or(modeling::Resolution{}.cellSize);
 }
 
 const modeling::Part* partOf(const modeling::Scene& scene, const std::string& name) {

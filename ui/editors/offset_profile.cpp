@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "ui/editors/bezier_edit.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/curve_fit.h"
 
 namespace ui {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/editors/bezier_edit.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/theme/theme.h"
 
 namespace ui {
@@ -48,7 +48,7 @@ QColor axisColour(Eigen::Index axis) {
 
 QString PointsTool::hint() const {
   const modeling::Part* part = find();
-  const bool isCurve = part != nullptr && std::holds_alternative<modeling::CurvedCylinderShape>(part->shape);
+  const bool isCurve = part != nullptr && !curvesOf(part->shape).empty();
   if (isCurve && dragging_)
     return tr("X, Y, Z keep to an axis; Alt moves one handle or end by itself; Esc undoes");
   return isCurve ? tr("Drag points; Ctrl and a click on the curve adds one, Delete removes; Shift selects "
@@ -158,8 +158,7 @@ void PointsTool::hover(Viewport& viewport, const PointerEvent& event) {
   if (const auto place = insertionAt(viewport, event)) {
     hovered_.reset();
     const modeling::Part& part = *find();
-    const auto& shape = std::get<modeling::CurvedCylinderShape>(part.shape);
-    const auto& curve = place->rail ? shape.secondRail : shape.curve;
+    const modeling::CurveChain& curve = *curvesOf(part.shape)[place->curve];
     insertion_ = part.worldFromPart.worldFromPart() * modeling::evaluate(curve[place->segment], place->t);
   }
   if (hovered_ != before || showed || insertion_) viewport.update();
@@ -176,22 +175,22 @@ std::optional<CurvePoint> PointsTool::insertionAt(const Viewport& viewport, cons
 
 std::optional<CurvePoint> PointsTool::curveAt(const Viewport& viewport, const QPointF& pixel) const {
   const modeling::Part* part = find();
-  const auto* shape = part ? std::get_if<modeling::CurvedCylinderShape>(&part->shape) : nullptr;
-  if (shape == nullptr) return std::nullopt;
+  if (part == nullptr) return std::nullopt;
   const Eigen::Affine3d worldFromPart = part->worldFromPart.worldFromPart();
   const auto distanceTo = [&](const Vec3& point) {
     const auto there = viewport.project(worldFromPart * point);
     return there ? distance(*there, pixel) : std::numeric_limits<double>::max();
   };
-  NearestPlace best = nearestPlace(shape->curve, distanceTo);
-  bool rail = false;
-  if (const NearestPlace other = nearestPlace(shape->secondRail, distanceTo);
-      other.distance < best.distance) {
-    best = other;
-    rail = true;
+  std::optional<CurvePoint> best;
+  double nearest = kGrabDistance;
+  const std::vector<const modeling::CurveChain*> curves = curvesOf(part->shape);
+  for (std::size_t curve = 0; curve < curves.size(); ++curve) {
+    const NearestPlace place = nearestPlace(*curves[curve], distanceTo);
+    if (place.distance >= nearest) continue;
+    nearest = place.distance;
+    best = CurvePoint{curve, place.segment, place.t};
   }
-  if (best.distance >= kGrabDistance) return std::nullopt;
-  return CurvePoint{best.segment, best.t, rail};
+  return best;
 }
 
 void PointsTool::edit(const QString& name, const modeling::PartShape& shape) {
@@ -201,11 +200,9 @@ void PointsTool::edit(const QString& name, const modeling::PartShape& shape) {
 
 void PointsTool::insertAt(const CurvePoint& place) {
   modeling::PartShape shape = find()->shape;
-  const auto& before = std::get<modeling::CurvedCylinderShape>(shape);
-  const std::size_t first = place.rail ? 3 * before.curve.size() + 1 : 0;
-  insertPoint(shape, place);
+  const std::size_t inserted = insertPoint(shape, place);
   edit(tr("Insert point"), shape);
-  selected_ = {first + 3 * (place.segment + 1)};
+  selected_ = {inserted};
   insertion_.reset();
 }
 

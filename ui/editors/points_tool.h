@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "ui/editors/shape_points.h"
+#include "ui/kinds/shape_points.h"
 #include "ui/session/session.h"
 #include "ui/viewport/tool.h"
 #include "ui/viewport/viewport.h"

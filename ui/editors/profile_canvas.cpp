@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/editors/bezier_edit.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/problem_text.h"
 #include "ui/editors/profile_drawing.h"
 #include "ui/theme/theme.h"

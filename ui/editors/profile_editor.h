@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/document/part_presets.h"
+#include "ui/kinds/part_presets.h"
 #include "ui/editors/profile_model.h"
 #include "ui/session/session.h"
 

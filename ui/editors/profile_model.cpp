@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "modeling/shapes/wall_profile.h"
-#include "ui/editors/bezier_edit.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/curve_fit.h"
 #include "ui/editors/offset_profile.h"
 

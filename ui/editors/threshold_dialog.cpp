@@ -151,11 +151,7 @@ void ThresholdDialog::proposeCellSize() {
   const std::string name = material_->currentText().toStdString();
   for (const modeling::Part& part : session_.document().scene().parts) {
     if (part.material != name) continue;
-    std::visit(
-        [&](const auto& shape) {
-          if constexpr (requires { shape.resolution; }) cellSize_->setValue(shape.resolution.cellSize);
-        },
-        part.shape);
+    if (const auto edge = modeling::cellEdgeOf(part.shape)) cellSize_->setValue(*edge);
     return;
   }
 }

@@ -19,7 +19,7 @@ namespace ui {
 namespace {
 
 QIcon iconFor(const NewThing& thing) {
-  return thing.preset ? dishIcon(*thing.preset) : Theme::icon(iconNameOf(thing));
+  return thing.preset ? dishIcon(*thing.preset) : Theme::icon(thing.icon);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ void AddActions::fill(QMenu& menu) {
   for (const NewThing& thing : newThings()) {
     if (dishes && !thing.preset) menu.addSeparator();
     dishes = thing.preset.has_value();
-    if (!colliders && isCollider(thing)) {
+    if (!colliders && thing.isCollider()) {
       menu.addAction(Theme::icon(QStringLiteral("network")), tr("&Network from a File…"), this,
                      &AddActions::addNetworkFile);
       menu.addAction(Theme::icon(QStringLiteral("mesh")), tr("&Mesh from a File…"), this,
@@ -51,10 +51,9 @@ void AddActions::fill(QMenu& menu) {
       colliders = true;
     }
     // The first letter of each chooses it.
-    QAction* action =
-        menu.addAction(iconFor(thing), u'&' + nameOf(thing), this, [this, thing] { add(thing); });
-    action->setToolTip(helpOf(thing));
-    action->setStatusTip(helpOf(thing));
+    QAction* action = menu.addAction(iconFor(thing), u'&' + thing.title, this, [this, thing] { add(thing); });
+    action->setToolTip(thing.help);
+    action->setStatusTip(thing.help);
   }
   menu.setToolTipsVisible(true);
 }
@@ -74,7 +73,7 @@ void AddActions::finish(const QString& name, const std::function<Item(modeling::
 
 void AddActions::add(const NewThing& thing) {
   const std::vector<Item> selected = session_.selection().items();
-  finish(tr("Add %1").arg(nameOf(thing)),
+  finish(tr("Add %1").arg(thing.title),
          [&](modeling::Scene& scene) { return addThing(scene, thing, selected); });
 }
 

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <filesystem>
 
-#include "ui/document/new_parts.h"
+#include "ui/kinds/new_things.h"
 #include "ui/session/session.h"
 
 class QAction;

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/part.h"
 
 class QVBoxLayout;
 

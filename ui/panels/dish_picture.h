@@ -3,7 +3,7 @@
 #include <QIcon>
 #include <QRectF>
 
-#include "ui/document/part_presets.h"
+#include "ui/kinds/part_presets.h"
 
 class QPainter;
 

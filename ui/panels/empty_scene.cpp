@@ -49,11 +49,11 @@ EmptyScene::EmptyScene(Session& session, AddActions& actions, QWidget* over)
   grid->setSpacing(6);
   int index = 0;
   for (const ProfilePreset preset : kProfilePresets) {
-    const NewThing thing{NewThing::Kind::profile, preset};
-    QToolButton* button = tile(nameOf(preset), dishIcon(preset), helpOf(thing), this);
+    const NewThing& thing = newThing(nameInScene(preset));
+    QToolButton* button = tile(nameOf(preset), dishIcon(preset), thing.help, this);
     button->setObjectName(QStringLiteral("add-") + nameOf(preset).toLower());
     grid->addWidget(button, index / kColumns, index % kColumns);
-    connect(button, &QToolButton::clicked, &actions, [&actions, thing] { actions.add(thing); });
+    connect(button, &QToolButton::clicked, &actions, [&actions, &thing] { actions.add(thing); });
     ++index;
   }
   auto* more = new QPushButton(Theme::icon(QStringLiteral("add")), tr("Something Else…"), this);

@@ -2,8 +2,9 @@
 
 #include <QPainter>
 #include <QPixmap>
-#include <algorithm>
 
+#include "ui/kinds/collider_kinds.h"
+#include "ui/kinds/part_kinds.h"
 #include "ui/theme/theme.h"
 
 namespace ui {
@@ -12,16 +13,6 @@ namespace {
 QColor colourOf(const modeling::Colour& colour) {
   return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                           static_cast<float>(colour[2]));
-}
-
-const char* nameOfShape(const modeling::PartShape& shape) {
-  constexpr const char* kNames[] = {"slab", "patch", "revolution", "curved-cylinder", "network", "mesh"};
-  return shape.index() < std::size(kNames) ? kNames[shape.index()] : "box";
-}
-
-const char* nameOfForm(const modeling::ColliderForm& form) {
-  constexpr const char* kNames[] = {"floor", "box", "sphere", "cylinder", "mesh-obstacle"};
-  return form.index() < std::size(kNames) ? kNames[form.index()] : "box";
 }
 
 }  // namespace
@@ -54,11 +45,11 @@ QIcon iconOf(const modeling::Scene& scene, const Item& item) {
     case ItemKind::scene:
       return Theme::icon(QStringLiteral("scene"));
     case ItemKind::part:
-      return Theme::icon(QString::fromLatin1(nameOfShape(scene.parts[item.index].shape)));
+      return Theme::icon(kindOf(scene.parts[item.index].shape).icon);
     case ItemKind::gluing:
       return Theme::icon(QStringLiteral("glue"));
     case ItemKind::collider:
-      return Theme::icon(QString::fromLatin1(nameOfForm(scene.environment.colliders[item.index].form)));
+      return Theme::icon(kindOf(scene.environment.colliders[item.index].form).icon);
     case ItemKind::material:
       return swatchOf(scene.materials[item.index].values.look);
     case ItemKind::track:

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "ui/document/scene_edits.h"
+#include "ui/kinds/part_kinds.h"
 #include "ui/panels/item_icons.h"
 #include "ui/panels/item_properties.h"
 #include "ui/panels/plain_fields.h"
@@ -15,20 +16,12 @@
 namespace ui {
 namespace {
 
-QString kindOf(const modeling::Scene& scene, const Item& item) {
+QString kindOfItem(const modeling::Scene& scene, const Item& item) {
   switch (item.kind) {
     case ItemKind::scene:
       return Properties::tr("Scene");
-    case ItemKind::part: {
-      const QString kinds[] = {Properties::tr("Slab"),
-                               Properties::tr("Patch"),
-                               Properties::tr("Solid of revolution"),
-                               Properties::tr("Curved cylinder"),
-                               Properties::tr("Network"),
-                               Properties::tr("Solid of a mesh")};
-      const std::size_t kind = scene.parts[item.index].shape.index();
-      return kind < std::size(kinds) ? kinds[kind] : Properties::tr("Part");
-    }
+    case ItemKind::part:
+      return kindOf(scene.parts[item.index].shape).title;
     case ItemKind::gluing:
       return Properties::tr("Glue");
     case ItemKind::collider:
@@ -140,7 +133,7 @@ void Properties::showHead() {
   name_->setReadOnly(several || !hasName(item.kind));
   name_->setPlaceholderText(session_.document().title());
   name_->setValue(several ? tr("%L1 selected").arg(items_.size()) : nameOf(scene, item));
-  QString about = kindOf(scene, item);
+  QString about = kindOfItem(scene, item);
   if (several) about = tr("Edits apply to all of them");
   if (item.kind == ItemKind::scene)
     about = scene.parts.empty() ? tr("Empty: add a part with Shift+A")

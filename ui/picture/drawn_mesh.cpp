@@ -167,7 +167,7 @@ DrawnMesh drawnAt(const PictureScene& scene, const sim::SurfaceMesh& surface,
     if (isSeen(scene, surface.faces[face])) drawer.drawFace(face);
   }
   for (const sim::Collider& collider : colliders) {
-    if (collider.visible && collider.shape != sim::ColliderShape::floor) drawCollider(collider, middle, mesh);
+    if (collider.visible && !collider.isFloor()) drawCollider(collider, middle, mesh);
   }
   return mesh;
 }

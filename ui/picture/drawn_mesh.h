@@ -37,7 +37,7 @@ struct DrawnMesh {
   std::vector<DrawnLook> looks;
 };
 
-/// The surface, curved, in its tints, and the visible boxes, spheres and cylinders. Where the scene tells how
+/// The surface, curved, in its tints, and the visible colliders but floors. Where the scene tells how
 /// things move, endPositions are filled in.
 DrawnMesh drawMesh(const PictureScene& scene);
 

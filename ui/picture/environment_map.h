@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/picture_style.h"
 #include "ui/picture/environment_file.h"
 
 namespace ui {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/picture_style.h"
 #include "ui/picture/linear.h"
 
 namespace ui {

@@ -37,7 +37,7 @@ std::vector<TracedScene::Plane> floorsOf(const PictureScene& scene) {
   const modeling::GroundKind kind = scene.style.ground.kind;
   if (kind == modeling::GroundKind::none) return floors;
   for (const sim::Collider& collider : scene.colliders) {
-    if (!collider.visible || collider.shape != sim::ColliderShape::floor) continue;
+    if (!collider.visible || !collider.isFloor()) continue;
     const sim::Vec3 normal = collider.rotation * sim::Vec3::UnitZ();
     const double offset = normal.dot(collider.position - scene.subject.center());
     floors.push_back({normal.cast<float>(), static_cast<float>(offset)});

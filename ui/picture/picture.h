@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/picture_style.h"
 #include "sim/collider/collider.h"
 #include "sim/surface/surface_mesh.h"
 #include "ui/picture/camera.h"

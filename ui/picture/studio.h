@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/picture_style.h"
 #include "ui/picture/camera.h"
 #include "ui/picture/environment_map.h"
 #include "ui/picture/linear.h"

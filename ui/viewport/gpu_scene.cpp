@@ -121,7 +121,7 @@ void GpuScene::uploadColliders(const std::vector<sim::Collider>& colliders) {
     const bool isNew = i == colliders_.size();
     if (isNew) colliders_.emplace_back();
     auto& [collider, solid] = colliders_[i];
-    if (isNew || !sameShape(collider, colliders[i])) uploadSolid(solid, colliderMesh(colliders[i]));
+    if (isNew || collider.shape != colliders[i].shape) uploadSolid(solid, colliderMesh(colliders[i]));
     collider = colliders[i];
   }
 }

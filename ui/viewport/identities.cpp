@@ -33,7 +33,7 @@ void identifySolids(RenderContext& context, const PictureFrame& frame) {
   ground.setUniformValue("kind", static_cast<GLint>(Identity::collider));
   for (std::size_t i = 0; i < data.colliders.size(); ++i) {
     const sim::Collider& collider = data.colliders[i];
-    if (collider.shape != sim::ColliderShape::floor || !collider.visible || passes(i)) continue;
+    if (!collider.isFloor() || !collider.visible || passes(i)) continue;
     if (!isSeenFromAbove(collider, frame)) continue;
     ground.setUniformValue("firstIndex", static_cast<GLint>(i));
     drawGround(context, ground, &collider);

@@ -70,7 +70,7 @@ Eigen::AlignedBox3d boxOfAll(const DrawData& data) {
   // What is in the air is seen with the floor on which it will fall.
   const sim::Vec3 middle = box.center();
   for (const sim::Collider& collider : data.colliders) {
-    if (collider.shape != sim::ColliderShape::floor) continue;
+    if (!collider.isFloor()) continue;
     const sim::Vec3 normal = collider.rotation * sim::Vec3::UnitZ();
     box.extend(sim::Vec3(middle - normal.dot(middle - collider.position) * normal));
   }

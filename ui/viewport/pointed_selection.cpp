@@ -58,7 +58,7 @@ std::vector<Item> itemsIn(const QRectF& frame, Session& session, const ViewCamer
   for (std::size_t collider = 0; collider < scene.environment.colliders.size(); ++collider) {
     const modeling::SceneCollider& one = scene.environment.colliders[collider];
     // A floor has no middle that anyone sees.
-    if (!std::holds_alternative<modeling::FloorShape>(one.form) && inside(one.position))
+    if (!one.isFloor() && inside(one.position))
       items.push_back({ItemKind::collider, collider});
   }
   std::erase_if(items, [&](const Item& item) { return isLocked(scene, item) || isHidden(scene, item); });

@@ -28,19 +28,6 @@ sim::Vec3 fixedAngles(const Eigen::Quaterniond& rotation) {
   return {rounded(kDegrees * x), rounded(kDegrees * y), rounded(kDegrees * z)};
 }
 
-struct Scaled {
-  const sim::Vec3& factors;
-
-  void operator()(modeling::FloorShape&) const {}
-  void operator()(modeling::BoxShape& box) const { box.halfSize = box.halfSize.cwiseProduct(factors); }
-  void operator()(modeling::SphereShape& sphere) const { sphere.radius *= std::cbrt(factors.prod()); }
-  void operator()(modeling::CylinderShape& cylinder) const {
-    cylinder.radius *= std::sqrt(factors.x() * factors.y());
-    cylinder.halfHeight *= factors.z();
-  }
-  void operator()(modeling::MeshObstacle&) const {}
-};
-
 sim::Vec3 placed(const sim::Vec3& position, const Eigen::Quaterniond& worldFromAxes, const Transform& by) {
   switch (by.mode) {
     case TransformMode::move:
@@ -104,7 +91,7 @@ void TransformStart::apply(const Transform& transform, modeling::Scene& scene) c
     collider = start;
     collider.position = placed(start.position, orientation_, transform);
     if (turns) collider.rotation = turned(start.rotation, turn);
-    if (transform.mode == TransformMode::scale) std::visit(Scaled{transform.factors}, collider.form);
+    if (transform.mode == TransformMode::scale) scale(collider.form, transform.factors);
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "modeling/scene/scene.h"
+#include "modeling/scene/picture_style.h"
 
 namespace ui {
 

@@ -102,7 +102,7 @@ void paintStatistics(QPainter& painter, const DrawData& data, const DrawStatisti
 void paintInvisibleColliders(Overlay& overlay, const DrawData& data) {
   for (const sim::Collider& collider : data.colliders) {
     if (collider.visible) continue;
-    for (const auto& [from, to] : colliderOutline(collider))
+    for (const auto& [from, to] : sim::outlineOf(collider))
       overlay.line(from, to, Theme::instance().colours().dimText, 1.0);
   }
 }

@@ -165,7 +165,7 @@ void ViewportRenderer::paintGround(const PictureFrame& frame) {
   gl_.glDepthMask(GL_FALSE);
   bool any = false;
   for (const sim::Collider& collider : data.colliders) {
-    if (collider.shape != sim::ColliderShape::floor || !collider.visible) continue;
+    if (!collider.isFloor() || !collider.visible) continue;
     any = true;
     // From below a floor would hide all there is.
     const bool above = isSeenFromAbove(collider, frame);

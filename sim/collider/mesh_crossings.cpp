@@ -1,6 +1,9 @@
+#include "sim/collider/mesh_crossings.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -45,44 +48,38 @@ bool haveCommonCorner(const TriangleMesh::Triangle& left, const TriangleMesh::Tr
   });
 }
 
-}  // namespace
-
-std::optional<Vec3> TriangleMesh::crossingOf(std::uint32_t triangle) const {
-  const auto cornersOf = [&](const Triangle& of) {
-    return Corners{points_[of[0]], points_[of[1]], points_[of[2]]};
-  };
-  const Corners corners = cornersOf(triangles_[triangle]);
-  const Vec3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
-  const Vec3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-  std::array<std::uint32_t, 64> waiting{};
-  std::size_t count = 0;
-  waiting[count++] = 0;
-  while (count > 0) {
-    const Branch& branch = branches_[waiting[--count]];
-    if ((branch.low.array() > high.array()).any() || (branch.high.array() < low.array()).any()) continue;
-    for (std::uint32_t i = 0; i < branch.count; ++i) {
-      const Triangle& other = triangles_[order_[branch.first + i]];
-      if (haveCommonCorner(triangles_[triangle], other)) continue;
-      if (const auto there = crossing(corners, cornersOf(other))) return there;
-    }
-    if (branch.count > 0) continue;
-    waiting[count++] = branch.first;
-    waiting[count++] = branch.first + 1;
-  }
-  return std::nullopt;
+Corners cornersOf(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const TriangleMesh::Triangle& points = mesh.triangles()[triangle];
+  return {mesh.points()[points[0]], mesh.points()[points[1]], mesh.points()[points[2]]};
 }
 
-TriangleMesh::Crossings TriangleMesh::crossings() const {
+/// Where another triangle passes through this one, or the other way round.
+std::optional<Vec3> crossingOf(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const Corners corners = cornersOf(mesh, triangle);
+  const Vec3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+  const Vec3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+  std::optional<Vec3> there;
+  mesh.anyWithin(low, high, [&](std::uint32_t other) {
+    if (haveCommonCorner(mesh.triangles()[triangle], mesh.triangles()[other])) return false;
+    there = crossing(corners, cornersOf(mesh, other));
+    return there.has_value();
+  });
+  return there;
+}
+
+}  // namespace
+
+MeshCrossings crossingsOf(const TriangleMesh& mesh) {
   constexpr std::size_t kGrain = 256;
-  std::vector<std::uint8_t> crosses(triangles_.size(), 0);
+  std::vector<std::uint8_t> crosses(mesh.triangles().size(), 0);
   parallelRanges(crosses.size(), kGrain, Sharing::balanced, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
-      crosses[t] = crossingOf(static_cast<std::uint32_t>(t)).has_value() ? 1 : 0;
+      crosses[t] = crossingOf(mesh, static_cast<std::uint32_t>(t)).has_value() ? 1 : 0;
   });
-  Crossings found;
+  MeshCrossings found;
   for (std::uint32_t t = 0; t < crosses.size(); ++t) {
     if (crosses[t] == 0) continue;
-    if (found.triangles++ == 0) found.first = *crossingOf(t);
+    if (found.triangles++ == 0) found.first = *crossingOf(mesh, t);
   }
   return found;
 }

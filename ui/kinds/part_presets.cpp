@@ -1,4 +1,4 @@
-#include "ui/document/part_presets.h"
+#include "ui/kinds/part_presets.h"
 
 #include <QCoreApplication>
 
@@ -99,6 +99,24 @@ QString nameOf(ProfilePreset preset) {
       return QCoreApplication::translate("part presets", "Teapot body");
   }
   return {};
+}
+
+const char* nameInScene(ProfilePreset preset) {
+  switch (preset) {
+    case ProfilePreset::cup:
+      return "cup";
+    case ProfilePreset::bowl:
+      return "bowl";
+    case ProfilePreset::plate:
+      return "plate";
+    case ProfilePreset::vase:
+      return "vase";
+    case ProfilePreset::bottle:
+      return "bottle";
+    case ProfilePreset::teapotBody:
+      return "teapot";
+  }
+  return "dish";
 }
 
 modeling::RevolutionShape shapeOf(ProfilePreset preset) {

@@ -1,56 +1,29 @@
-#include "ui/editors/shape_points.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "modeling/shapes/sweep_path.h"
-#include "ui/editors/bezier_edit.h"
+#include "ui/kinds/bezier_edit.h"
+#include "ui/kinds/point_handles.h"
 
 namespace ui {
 namespace {
 
-using modeling::BezierPatchShape;
-using modeling::ControlNet;
 using modeling::CurveChain;
 using modeling::CurvedCylinderShape;
+using modeling::PartShape;
 using modeling::ValueChain;
 using modeling::Vec3;
 
-constexpr std::size_t kNetPoints = 16;
 constexpr double kLeastSize = 0.02;         ///< cm, half of the thinnest section
 constexpr double kSmoothCosine = -0.99999;  ///< of the angle between the two handles of a smooth point
 
-// --- Patch -------------------------------------------------------------------------------------------------
-
-void addNet(const ControlNet& net, ShapePoints& shown) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      shown.points.push_back({ShapePointKind::point, net[i][j], shown.points.size()});
-      if (i > 0) shown.lines.push_back({net[i - 1][j], net[i][j]});
-      if (j > 0) shown.lines.push_back({net[i][j - 1], net[i][j]});
-    }
+std::size_t pointsOnCurve(const CurvedCylinderShape& shape) {
+  return 3 * shape.curve.size() + 1;
 }
 
-ShapePoints shownOf(const BezierPatchShape& shape) {
-  ShapePoints shown;
-  addNet(shape.net, shown);
-  if (shape.oppositeNet) addNet(*shape.oppositeNet, shown);
-  return shown;
+std::size_t pointsOnRail(const CurvedCylinderShape& shape) {
+  return shape.secondRail.empty() ? 0 : 3 * shape.secondRail.size() + 1;
 }
-
-void moveIn(BezierPatchShape& shape, const std::set<std::size_t>& points, const Vec3& by, bool) {
-  for (const std::size_t point : points) {
-    const std::size_t i = point % kNetPoints / 4;
-    const std::size_t j = point % 4;
-    if (point < kNetPoints) {
-      shape.net[i][j] += by;
-    } else if (shape.oppositeNet && point < 2 * kNetPoints) {
-      (*shape.oppositeNet)[i][j] += by;
-    }
-  }
-}
-
-// --- Curved cylinder ---------------------------------------------------------------------------------------
 
 /// Where a size of the section is held, and what it is there.
 struct SizeHandle {
@@ -175,8 +148,8 @@ void changeSize(ValueChain& values, std::size_t knot, double by, bool free) {
 }
 
 void moveIn(CurvedCylinderShape& shape, const std::set<std::size_t>& points, const Vec3& by, bool free) {
-  const std::size_t onCurve = 3 * shape.curve.size() + 1;
-  const std::size_t onRail = shape.secondRail.empty() ? 0 : 3 * shape.secondRail.size() + 1;
+  const std::size_t onCurve = pointsOnCurve(shape);
+  const std::size_t onRail = pointsOnRail(shape);
   std::set<std::size_t> ofCurve;
   std::set<std::size_t> ofRail;
   const std::vector<SizeHandle> sizes = sizeHandles(shape);
@@ -216,34 +189,17 @@ void changeSizes(CurvedCylinderShape& shape, const Change& change) {
     if (segments > 1 && values->size() == segments) change(*values);
 }
 
-}  // namespace
-
-bool hasPoints(const modeling::PartShape& shape) {
-  return std::holds_alternative<BezierPatchShape>(shape) ||
-         std::holds_alternative<CurvedCylinderShape>(shape);
+std::size_t insertIn(CurvedCylinderShape& shape, const CurvePoint& place) {
+  const bool onRail = place.curve == 1;
+  if (!onRail) changeSizes(shape, [&](ValueChain& values) { splitAt(values, place.segment, place.t); });
+  const std::size_t first = onRail ? pointsOnCurve(shape) : 0;
+  splitAt(onRail ? shape.secondRail : shape.curve, place.segment, place.t);
+  return first + 3 * (place.segment + 1);
 }
 
-std::optional<ShapePoints> pointsOf(const modeling::PartShape& shape) {
-  if (const auto* patch = std::get_if<BezierPatchShape>(&shape)) return shownOf(*patch);
-  if (const auto* cylinder = std::get_if<CurvedCylinderShape>(&shape)) return shownOf(*cylinder);
-  return std::nullopt;
-}
-
-void insertPoint(modeling::PartShape& shape, const CurvePoint& place) {
-  auto* cylinder = std::get_if<CurvedCylinderShape>(&shape);
-  if (cylinder == nullptr) return;
-  CurveChain& curve = place.rail ? cylinder->secondRail : cylinder->curve;
-  if (place.segment >= curve.size()) return;
-  if (!place.rail)
-    changeSizes(*cylinder, [&](ValueChain& values) { splitAt(values, place.segment, place.t); });
-  splitAt(curve, place.segment, place.t);
-}
-
-bool removePoints(modeling::PartShape& shape, const std::set<std::size_t>& points) {
-  auto* cylinder = std::get_if<CurvedCylinderShape>(&shape);
-  if (cylinder == nullptr) return false;
-  const std::size_t onCurve = 3 * cylinder->curve.size() + 1;
-  const std::size_t onRail = cylinder->secondRail.empty() ? 0 : 3 * cylinder->secondRail.size() + 1;
+bool removeIn(CurvedCylinderShape& shape, const std::set<std::size_t>& points) {
+  const std::size_t onCurve = pointsOnCurve(shape);
+  const std::size_t onRail = pointsOnRail(shape);
   std::set<std::size_t> ofCurve;
   std::set<std::size_t> ofRail;
   for (const std::size_t point : points) {
@@ -251,16 +207,41 @@ bool removePoints(modeling::PartShape& shape, const std::set<std::size_t>& point
     if (point >= onCurve && point < onCurve + onRail && (point - onCurve) % 3 == 0)
       ofRail.insert((point - onCurve) / 3);
   }
-  const modeling::PartShape before = shape;
-  changeSizes(*cylinder, [&](ValueChain& values) { removeKnots(values, ofCurve); });
-  removeKnots(cylinder->curve, ofCurve);
-  if (onRail > 0) removeKnots(cylinder->secondRail, ofRail);
+  const CurvedCylinderShape before = shape;
+  changeSizes(shape, [&](ValueChain& values) { removeKnots(values, ofCurve); });
+  removeKnots(shape.curve, ofCurve);
+  if (onRail > 0) removeKnots(shape.secondRail, ofRail);
   return shape != before;
 }
 
-void movePoints(modeling::PartShape& shape, const std::set<std::size_t>& points, const Vec3& by, bool free) {
-  if (auto* patch = std::get_if<BezierPatchShape>(&shape)) moveIn(*patch, points, by, free);
-  if (auto* cylinder = std::get_if<CurvedCylinderShape>(&shape)) moveIn(*cylinder, points, by, free);
+/// The points of the centre line or first rail come first, then those of the second rail, then the sizes.
+class SweepPoints : public PointHandles {
+ public:
+  ShapePoints shown(const PartShape& shape) const override { return shownOf(sweep(shape)); }
+  void move(PartShape& shape, const std::set<std::size_t>& points, const Vec3& by, bool free) const override {
+    moveIn(std::get<CurvedCylinderShape>(shape), points, by, free);
+  }
+  std::vector<const CurveChain*> curves(const PartShape& shape) const override {
+    return {&sweep(shape).curve, &sweep(shape).secondRail};
+  }
+  std::size_t insert(PartShape& shape, const CurvePoint& place) const override {
+    return insertIn(std::get<CurvedCylinderShape>(shape), place);
+  }
+  bool remove(PartShape& shape, const std::set<std::size_t>& points) const override {
+    return removeIn(std::get<CurvedCylinderShape>(shape), points);
+  }
+
+ private:
+  static const CurvedCylinderShape& sweep(const PartShape& shape) {
+    return std::get<CurvedCylinderShape>(shape);
+  }
+};
+
+}  // namespace
+
+const PointHandles& sweepPoints() {
+  static const SweepPoints points;
+  return points;
 }
 
 }  // namespace ui

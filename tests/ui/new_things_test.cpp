@@ -1,4 +1,7 @@
-#include "ui/document/new_parts.h"
+#include "ui/kinds/new_things.h"
+
+#include <QFile>
+#include <algorithm>
 
 #include <catch2/catch.hpp>
 
@@ -7,6 +10,8 @@
 #include "sim/surface/surface_mesh.h"
 #include "ui/document/part_boxes.h"
 #include "ui/document/scene_edits.h"
+#include "ui/kinds/collider_kinds.h"
+#include "ui/kinds/part_kinds.h"
 
 using namespace ui;
 using modeling::Scene;
@@ -29,12 +34,61 @@ Eigen::AlignedBox3d extentOf(const Scene& scene, std::size_t part) {
   return box;
 }
 
+template <class Variant, class Visit>
+void forEachKind(const Visit& visit) {
+  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    (visit(Variant(std::in_place_index<kIndex>)), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+/// Whether the add menu has one of the kind.
+template <class Variant>
+bool isOffered(const Variant& kind) {
+  return std::ranges::any_of(newThings(), [&](const NewThing& thing) {
+    const auto* form = std::get_if<Variant>(&thing.form);
+    return form != nullptr && form->index() == kind.index();
+  });
+}
+
+bool hasDrawing(const QString& icon) {
+  return QFile::exists(QStringLiteral(SMITHEREENS_SOURCE_DIR "/resources/icons/") + icon +
+                       QStringLiteral(".svg"));
+}
+
 }  // namespace
 
-TEST_CASE("Everything that can be added can be built, of good cells", "[new-parts]") {
+TEST_CASE("Each kind has a title and an icon, and is offered unless it stands in a file", "[new-things]") {
+  forEachKind<modeling::PartShape>([](const modeling::PartShape& shape) {
+    INFO(modeling::kindName(shape));
+    const PartKind kind = kindOf(shape);
+    CHECK_FALSE(kind.title.isEmpty());
+    CHECK(hasDrawing(kind.icon));
+    CHECK((kind.editor == ShapeEditor::points) == (kind.points != nullptr));
+    const bool inFile = std::holds_alternative<modeling::NetworkShape>(shape) ||
+                        std::holds_alternative<modeling::MeshShape>(shape);
+    CHECK(isOffered(shape) != inFile);
+    CHECK(kind.axes[0].isEmpty() == inFile);
+  });
+  forEachKind<modeling::ColliderForm>([](const modeling::ColliderForm& form) {
+    INFO(modeling::kindName(form));
+    const ColliderKind kind = kindOf(form);
+    CHECK_FALSE(kind.title.isEmpty());
+    CHECK_FALSE(kind.help.isEmpty());
+    CHECK(hasDrawing(kind.icon));
+    CHECK(isOffered(form) != std::holds_alternative<modeling::MeshObstacle>(form));
+  });
   for (const NewThing& thing : newThings()) {
-    if (isCollider(thing)) continue;
-    INFO(nameOf(thing).toStdString());
+    INFO(thing.name);
+    CHECK(hasDrawing(thing.icon));
+    CHECK(&newThing(thing.name) == &thing);
+  }
+}
+
+TEST_CASE("Everything that can be added can be built, of good cells", "[new-things]") {
+  for (const NewThing& thing : newThings()) {
+    if (thing.isCollider()) continue;
+    INFO(thing.name);
     Scene scene;
     addThing(scene, thing, {});
     const modeling::BuiltScene result = built(scene);
@@ -49,7 +103,7 @@ TEST_CASE("Everything that can be added can be built, of good cells", "[new-part
   }
 }
 
-TEST_CASE("The first thing brings a material and a floor, and stands on it", "[new-parts]") {
+TEST_CASE("The first thing brings a material and a floor, and stands on it", "[new-things]") {
   Scene scene;
   const Item cup = addThing(scene, newThings().front(), {});
   CHECK(cup == Item{ItemKind::part, 0});
@@ -59,7 +113,7 @@ TEST_CASE("The first thing brings a material and a floor, and stands on it", "[n
   CHECK(extentOf(scene, 0).min().z() == Approx(0.0).margin(1e-9));
 }
 
-TEST_CASE("What is added stands on the floor beside what is there, and touches nothing", "[new-parts]") {
+TEST_CASE("What is added stands on the floor beside what is there, and touches nothing", "[new-things]") {
   Scene scene;
   modeling::SceneCollider table;
   table.name = "table";
@@ -85,14 +139,13 @@ TEST_CASE("What is added stands on the floor beside what is there, and touches n
   CHECK(built(scene).warnings.empty());
 }
 
-TEST_CASE("A handle and a spout come to stand at the wall of the dish that is selected", "[new-parts]") {
-  using Kind = NewThing::Kind;
+TEST_CASE("A handle and a spout come to stand at the wall of the dish that is selected", "[new-things]") {
   for (const ProfilePreset preset : {ProfilePreset::cup, ProfilePreset::vase, ProfilePreset::teapotBody}) {
     INFO(nameOf(preset).toStdString());
     Scene scene;
-    const Item body = addThing(scene, {Kind::profile, preset}, {});
+    const Item body = addThing(scene, newThing(nameInScene(preset)), {});
     scene.parts[0].worldFromPart.position = sim::Vec3(3, 4, 5);
-    for (const Kind kind : {Kind::handle, Kind::spout}) addThing(scene, {kind, std::nullopt}, {body});
+    for (const char* name : {"handle", "spout"}) addThing(scene, newThing(name), {body});
     REQUIRE(scene.glue.size() == 2);
     const modeling::BuiltScene result = built(scene);
     for (const modeling::GlueReport& glue : result.glue) {
@@ -103,7 +156,7 @@ TEST_CASE("A handle and a spout come to stand at the wall of the dish that is se
   }
 }
 
-TEST_CASE("A network has constants for each type of bond", "[new-parts]") {
+TEST_CASE("A network has constants for each type of bond", "[new-things]") {
   Scene scene;
   const Item item = addNetwork(scene, "bar.data", 2);
   const auto& shape = std::get<modeling::NetworkShape>(scene.parts[item.index].shape);

@@ -1,8 +1,24 @@
 #include <algorithm>
 
 #include "modeling/scene/scene_codec.h"
+#include "sim/collider/triangle_mesh.h"
 
 namespace modeling {
+
+using ColliderCodec = TaggedCodec<SceneCollider, ColliderForm, &SceneCollider::form>;
+
+bool Codec<SceneCollider>::read(JsonReader& reader, const JsonValue& value, SceneCollider& out,
+                                const Rule& rule) {
+  return ColliderCodec::read(reader, value, out, rule);
+}
+
+Json Codec<SceneCollider>::write(const SceneCollider& value, const SceneCollider& base, const Rule& rule) {
+  return ColliderCodec::write(value, base, rule);
+}
+
+Json Codec<SceneCollider>::schema(const Rule& rule) {
+  return ColliderCodec::schema(rule);
+}
 
 namespace {
 

@@ -16,6 +16,8 @@ inline constexpr std::array kProfilePresets{ProfilePreset::cup,    ProfilePreset
 
 /// As menus call it.
 QString nameOf(ProfilePreset preset);
+/// As the scene calls it.
+const char* nameInScene(ProfilePreset preset);
 
 /// Standing on z = 0, of a usual size, with cells that suit it; both profiles run from the middle of the base
 /// to the rim.
