@@ -14,52 +14,57 @@ using modeling::Scene;
 using modeling::Vec2;
 using sim::Vec3;
 
-/// A part of each kind, which can be built. A kind without one does not compile.
+/// Fills in what a part of each kind needs to be built. A kind that is missing does not compile.
 struct Example {
-  static PartShape of(const modeling::SlabShape& shape) { return shape; }
-  static PartShape of(modeling::BezierPatchShape shape) {
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j)
-        shape.net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = Vec3(i, j, 0.2 * i * j);
+  void operator()(modeling::SlabShape&) const {}
+  void operator()(modeling::BezierPatchShape& shape) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        const auto u = static_cast<double>(i);
+        const auto v = static_cast<double>(j);
+        shape.net[i][j] = Vec3(u, v, 0.2 * u * v);
+      }
     }
-    return shape;
   }
-  static PartShape of(modeling::RevolutionShape shape) {
+  void operator()(modeling::RevolutionShape& shape) const {
     shape.outside = {modeling::straightSegment(Vec2(2, 0), Vec2(3, 4))};
     shape.inside = {modeling::straightSegment(Vec2(1.5, 0), Vec2(2.5, 4))};
-    return shape;
   }
-  static PartShape of(modeling::CurvedCylinderShape shape) {
+  void operator()(modeling::CurvedCylinderShape& shape) const {
     shape.curve = {{Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(2, 0, 2), Vec3(4, 0, 2)}};
-    return shape;
   }
-  static PartShape of(modeling::NetworkShape shape) {
+  void operator()(modeling::NetworkShape& shape) const {
     shape.file = "tests/data/lammps-bar/caseA.data";
-    for (const char* type : {"1", "2"})
-      shape.bondTypes.push_back({type, {.stiffness = 1000.0, .restLength = 1.0}});
-    return shape;
+    shape.bondTypes.resize(2);
+    for (std::size_t type = 0; type < 2; ++type) {
+      shape.bondTypes[type].type = std::to_string(type + 1);
+      shape.bondTypes[type].constants.stiffness = 1000.0;
+    }
   }
-  static PartShape of(modeling::MeshShape shape) {
+  void operator()(modeling::MeshShape& shape) const {
     shape.file = "resources/scenes/meshes/dish.obj";
     shape.unit = modeling::MeshUnit::centimetre;
     shape.up = modeling::MeshUp::z;
-    return shape;
   }
 };
 
+/// One with the defaults of each kind.
 template <class Variant, class Visit>
 void forEachKind(const Visit& visit) {
   [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-    (visit(std::variant_alternative_t<kIndex, Variant>{}), ...);
+    (visit(Variant(std::in_place_index<kIndex>)), ...);
   }
   (std::make_index_sequence<std::variant_size_v<Variant>>());
 }
 
 Scene sceneOf(const PartShape& shape) {
   Scene scene;
-  scene.materials.push_back({.name = "clay", .preset = "", .values = {.name = "clay"}});
-  scene.parts.push_back(
-      {.name = "part", .shape = shape, .material = "clay", .worldFromPart = {}, .hold = {}});
+  scene.materials.resize(1);
+  scene.materials[0].name = scene.materials[0].values.name = "clay";
+  scene.parts.resize(1);
+  scene.parts[0].name = "part";
+  scene.parts[0].shape = shape;
+  scene.parts[0].material = "clay";
   return scene;
 }
 
@@ -73,8 +78,8 @@ void checkReadsBack(const Scene& scene) {
 
 TEST_CASE("a part of each kind is written, read and built, within its box") {
   std::set<std::string_view> names;
-  forEachKind<PartShape>([&](const auto& kind) {
-    const PartShape shape = Example::of(kind);
+  forEachKind<PartShape>([&](PartShape shape) {
+    std::visit(Example(), shape);
     INFO(modeling::kindName(shape));
     CHECK(names.insert(modeling::kindName(shape)).second);
     const Scene scene = sceneOf(shape);
@@ -93,22 +98,23 @@ TEST_CASE("a part of each kind is written, read and built, within its box") {
 
 TEST_CASE("a collider of each kind is written, read, simulated as that kind, and scaled") {
   std::set<std::string_view> names;
-  forEachKind<ColliderForm>([&](const auto& kind) {
-    const ColliderForm form = kind;
+  forEachKind<ColliderForm>([&](const ColliderForm& form) {
     INFO(modeling::kindName(form));
     CHECK(names.insert(modeling::kindName(form)).second);
     Scene scene = sceneOf(modeling::SlabShape{});
-    scene.environment.colliders.push_back(
-        {.name = "thing", .form = form, .rotation = {}, .stiffness = {}, .active = {}});
+    scene.environment.colliders.resize(1);
     modeling::SceneCollider& collider = scene.environment.colliders[0];
+    collider.name = "thing";
+    collider.form = form;
     if (auto* obstacle = std::get_if<modeling::MeshObstacle>(&collider.form)) obstacle->file = "dish.obj";
+    const ColliderForm before = collider.form;
     checkReadsBack(scene);
     const sim::Collider simulated = modeling::colliderOf(collider);
     CHECK(simulated.shape.index() == form.index());
     CHECK(sim::kindName(simulated) == modeling::kindName(form));
     modeling::scale(collider.form, Vec3::Constant(2.0));
     const double reach = sim::reachOf(modeling::colliderOf(collider));
-    if (collider.form != form)
+    if (collider.form != before)
       CHECK(reach == Approx(2.0 * sim::reachOf(simulated)));
     else
       CHECK(reach == sim::reachOf(simulated));

@@ -137,7 +137,7 @@ TEST_CASE("tracks find their materials and colliders by name, in whatever varian
   CHECK(conditions.tracks[4].object == 3);
   CHECK(conditions.tracks[5].object == 2);  // the ball
   CHECK(conditions.tracks[6].keys[0].value.z() == std::numbers::pi / 2.0);
-  CHECK(conditions.environment.colliders[1].halfSize == Vec3(40, 30, 2));
+  CHECK(conditions.environment.colliders[1].shape == sim::ColliderShape(sim::BoxShape{Vec3(40, 30, 2)}));
   CHECK_FALSE(conditions.environment.colliders[2].visible);
   CHECK(conditions.settings.seed == 18446744073709551615U);
   CHECK(conditions.settings.contact.self);

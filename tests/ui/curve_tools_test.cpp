@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/editor_actions.h"
 #include "ui/editors/points_tool.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/viewport/viewport.h"
 
 using namespace ui;

@@ -4,10 +4,10 @@
 
 #include "modeling/shapes/measured_chain.h"
 #include "modeling/shapes/quality.h"
-#include "ui/kinds/part_presets.h"
-#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/offset_profile.h"
 #include "ui/editors/profile_model.h"
+#include "ui/kinds/bezier_edit.h"
+#include "ui/kinds/part_presets.h"
 
 using modeling::ProfileChain;
 using modeling::RevolutionShape;

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/curve_fit.h"
+#include "ui/kinds/bezier_edit.h"
 
 namespace ui {
 namespace {

@@ -5,9 +5,9 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/problem_text.h"
 #include "ui/editors/profile_drawing.h"
+#include "ui/kinds/bezier_edit.h"
 #include "ui/theme/theme.h"
 
 namespace ui {

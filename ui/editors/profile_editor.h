@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/kinds/part_presets.h"
 #include "ui/editors/profile_model.h"
+#include "ui/kinds/part_presets.h"
 #include "ui/session/session.h"
 
 class QAction;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "modeling/shapes/wall_profile.h"
-#include "ui/kinds/bezier_edit.h"
 #include "ui/editors/curve_fit.h"
 #include "ui/editors/offset_profile.h"
+#include "ui/kinds/bezier_edit.h"
 
 namespace ui {
 namespace {

@@ -21,11 +21,10 @@ bool isNamed(const std::vector<std::string>& names, const std::string& name) {
 }
 
 std::vector<std::uint8_t> hiddenParts(const sim::Network& network, const ViewSettings& settings) {
-  std::vector<std::uint8_t> hidden;
-  for (const std::string& name : network.partNames)
-    hidden.push_back(isNamed(settings.hiddenParts, name) ? 1 : 0);
   // A network made by hand may name no parts.
-  hidden.resize(std::max<std::size_t>(hidden.size(), 1), 0);
+  std::vector<std::uint8_t> hidden(std::max<std::size_t>(network.partNames.size(), 1), 0);
+  for (std::size_t part = 0; part < network.partNames.size(); ++part)
+    hidden[part] = isNamed(settings.hiddenParts, network.partNames[part]) ? 1 : 0;
   return hidden;
 }
 
