@@ -42,11 +42,12 @@ class Recording {
     std::vector<sim::BreakEvent> breaks;  ///< since the frame before
   };
 
-  /// Of a run that begins: its first frame is due at once, and gets a checkpoint, so that every take can be
-  /// resumed. `take` may be null; then breaks are counted and nothing is written. Keeps a reference to the
+  /// Records a run that begins: its first frame is due at once and gets a checkpoint, so that every take can
+  /// be resumed. `take` may be null; then breaks are counted and nothing is written. Keeps a reference to the
   /// simulation.
   static Recording ofNewRun(sim::Simulation& simulation, std::unique_ptr<sim::TakeWriter> take, Plan plan);
-  /// Of a run that goes on: the simulation's present state is the take's last frame and has a checkpoint.
+  /// Records a run that goes on: the simulation's present state is the take's last frame, which has a
+  /// checkpoint.
   static Recording ofContinuedRun(sim::Simulation& simulation, std::unique_ptr<sim::TakeWriter> take,
                                   Plan plan);
 

@@ -43,7 +43,7 @@ class FileTakeReader final : public TakeReader {
   FileTakeReader(TakeFile file, TakeIndex index) : file_(std::move(file)), index_(std::move(index)) {}
   Status readBeginning();
   Result<Snapshot> snapshotAt(const TakeIndex::Frame& place) const;
-  /// Of a chunk. Frames share what they have of one, in whatever order they are read.
+  /// What a breakage chunk says. Frames that lean on one chunk share it, in whatever order they are read.
   Result<BrokenPointer> brokenAt(std::size_t chunk) const;
   std::optional<std::string> textOf(std::size_t chunk) const;
   /// The newest of these that is intact.

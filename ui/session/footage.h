@@ -40,8 +40,8 @@ class Footage {
   Footage(const Footage&) = delete;
   Footage& operator=(const Footage&) = delete;
 
-  /// The take in a file. Its notes have times only, until readNextNote() has gathered them. A Problem where the
-  /// file is no take.
+  /// The take in a file. Its notes have times only, until readNextNote() has gathered them. A Problem where
+  /// the file is no take.
   static sim::Result<std::shared_ptr<Footage>> open(const std::filesystem::path& file);
 
   const std::shared_ptr<const sim::Network>& network() const { return network_; }
@@ -63,7 +63,8 @@ class Footage {
 
   /// The frame, where it is in memory; else null.
   sim::SnapshotPointer held(std::size_t frame) const;
-  /// The frame, read from the file where it is not held, which may take long. A Problem where it cannot be read.
+  /// The frame, read from the file where it is not held, which may take long. A Problem where it cannot be
+  /// read.
   sim::Result<sim::SnapshotPointer> frame(std::size_t frame);
   /// The breaks in all frames so far, in order.
   sim::Result<std::vector<sim::BreakEvent>> events();

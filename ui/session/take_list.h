@@ -55,7 +55,7 @@ class TakeList : public QObject {
   std::vector<Take>::const_iterator end() const { return takes_.end(); }
   /// Which take is on the timeline.
   std::optional<std::size_t> current() const { return current_; }
-  /// Of the take on the timeline; null where there is none.
+  /// The footage of the take on the timeline; null where there is none.
   std::shared_ptr<Footage> currentFootage() const { return current_ ? takes_[*current_].footage : nullptr; }
   /// Some take was recorded by the program itself.
   bool hasOwn() const;
