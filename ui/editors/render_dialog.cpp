@@ -1,19 +1,15 @@
 #include "ui/editors/render_dialog.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <numbers>
 
 #include "ui/editors/problem_text.h"
-#include "ui/panels/number_field.h"
+#include "ui/editors/render_choices.h"
 #include "ui/picture/video.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport.h"
@@ -28,36 +24,9 @@ constexpr int kSettleMilliseconds = 250;
 constexpr int kPreviewHeight = 240;
 constexpr int kPreviewSamples = 32;
 
-enum What : int { kStill, kAllFrames };
-enum From : int { kViewport, kScene };
-enum LitBy : int { kStudioLamps = 1, kFromImage };
-
-Camera cameraOf(const modeling::Camera& camera) {
-  return {camera.position, camera.target, camera.fieldOfView * std::numbers::pi / 180.0, camera.aperture,
-          camera.focus.value_or(0.0)};
-}
-
 QImage asQt(const Image& image) {
   const std::vector<std::uint8_t> bytes = toEightBit(image);
   return QImage(bytes.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888).copy();
-}
-
-PictureFrames framesOfMoment(const Shown& shown) {
-  PictureFrames frames;
-  frames.network = shown.network;
-  if (shown.scene) frames.scene = *shown.scene;
-  frames.framesPerSecond = frames.scene.output.fps;
-  frames.frame = [moment = shown.moment](std::size_t) { return sim::Result<sim::SnapshotPointer>(moment); };
-  return frames;
-}
-
-PictureFrames framesOfFootage(const std::shared_ptr<Footage>& footage) {
-  PictureFrames frames;
-  frames.network = footage->network();
-  frames.scene = *footage->scene();
-  frames.framesPerSecond = frames.scene.output.fps;
-  frames.frame = [footage](std::size_t frame) { return footage->frame(frame); };
-  return frames;
 }
 
 }  // namespace
@@ -79,7 +48,8 @@ RenderDialog::RenderDialog(Session& session, Viewport& viewport, QWidget* parent
   auto* upper = new QHBoxLayout;
   upper->setSpacing(16);
   upper->addWidget(picture_, 1);
-  upper->addWidget(makeChoices());
+  choices_ = new RenderChoices(this);
+  upper->addWidget(choices_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 14, 16, 14);
   layout->setSpacing(10);
@@ -91,109 +61,13 @@ RenderDialog::RenderDialog(Session& session, Viewport& viewport, QWidget* parent
   again_.setSingleShot(true);
   again_.setInterval(kSettleMilliseconds);
   connect(&again_, &QTimer::timeout, this, &RenderDialog::startPreview);
+  connect(choices_, &RenderChoices::changed, &again_, qOverload<>(&QTimer::start));
   connect(&viewport_, &Viewport::cameraChanged, this, [this] {
-    if (camera_->currentIndex() == kViewport) again_.start();
+    if (choices_->wantsViewportCamera()) again_.start();
   });
   connect(&session_, &Session::shownChanged, &again_, qOverload<>(&QTimer::start));
   connect(&session_.document(), &Document::replaced, this, &QDialog::reject);
   startPreview();
-}
-
-NumberField* RenderDialog::numberField(const QString& name, double least, double most, double value,
-                                       bool whole, const QString& tip) {
-  NumberFormat format;
-  format.least = least;
-  format.most = most;
-  format.whole = whole;
-  format.step = whole ? 1.0 : 0.05;
-  auto* field = new NumberField(format, this);
-  field->setObjectName(name);
-  field->setValue(value);
-  field->setDefault(value);
-  field->setToolTip(tip);
-  connect(field, &NumberField::edited, this, [this] { again_.start(); });
-  return field;
-}
-
-QComboBox* RenderDialog::combo(const QString& name, const QStringList& items) {
-  auto* made = new QComboBox(this);
-  made->setObjectName(name);
-  made->addItems(items);
-  connect(made, &QComboBox::currentIndexChanged, &again_, qOverload<>(&QTimer::start));
-  return made;
-}
-
-/// In the order of the scene's choices, which are what they replace.
-void RenderDialog::addStyle(QFormLayout& form) {
-  const QString asScene = tr("As in the scene");
-  surface_ = combo(QStringLiteral("render-surface"), {asScene, tr("Of the cells"), tr("Level surface")});
-  ground_ = combo(QStringLiteral("render-ground"), {asScene, tr("Studio floor"), tr("None"), tr("Plain"),
-                                                    tr("Checker"), tr("Wood"), tr("Shadows only")});
-  backdrop_ = combo(QStringLiteral("render-backdrop"),
-                    {asScene, tr("Studio"), tr("Colour"), tr("Gradient"), tr("Environment")});
-  light_ = combo(QStringLiteral("render-light"), {asScene, tr("Studio lamps"), tr("From an image…")});
-  light_->setToolTip(tr("An image of all around: OpenEXR, Radiance .hdr or PNG"));
-  connect(light_, &QComboBox::activated, this, [this](int index) {
-    if (index == kFromImage) askForEnvironment();
-  });
-  form.addRow(tr("Surface"), surface_);
-  form.addRow(tr("Ground"), ground_);
-  form.addRow(tr("Backdrop"), backdrop_);
-  form.addRow(tr("Light"), light_);
-}
-
-void RenderDialog::askForEnvironment() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Image of all around"), environment_,
-                                                    tr("Images (*.exr *.hdr *.png)"));
-  if (!file.isEmpty()) environment_ = file;
-  if (environment_.isEmpty()) light_->setCurrentIndex(0);
-  again_.start();
-}
-
-modeling::PictureStyle RenderDialog::styleFrom(modeling::PictureStyle style) const {
-  if (const int index = surface_->currentIndex(); index > 0)
-    style.surface = static_cast<modeling::PictureSurface>(index - 1);
-  if (const int index = ground_->currentIndex(); index > 0)
-    style.ground.kind = static_cast<modeling::GroundKind>(index - 1);
-  if (const int index = backdrop_->currentIndex(); index > 0)
-    style.backdrop.kind = static_cast<modeling::BackdropKind>(index - 1);
-  if (light_->currentIndex() == kStudioLamps) style.environment.image.clear();
-  if (light_->currentIndex() == kFromImage) style.environment.image = environment_.toStdString();
-  return style;
-}
-
-QWidget* RenderDialog::makeChoices() {
-  // Made in the order in which Tab goes through them.
-  auto* box = new QWidget(this);
-  auto* form = new QFormLayout(box);
-  form->setContentsMargins(0, 0, 0, 0);
-  what_ = combo(QStringLiteral("render-what"), {tr("This moment"), tr("All frames of the take")});
-  camera_ = combo(QStringLiteral("render-camera"), {tr("As in the viewport"), tr("Of the scene")});
-  width_ = numberField(QStringLiteral("render-width"), 16, 8192, 1280, true, tr("Pixels"));
-  height_ = numberField(QStringLiteral("render-height"), 16, 8192, 720, true, tr("Pixels"));
-  samples_ = numberField(QStringLiteral("render-samples"), 1, 65536, 64, true,
-                         tr("Paths a pixel: four times as many halve the noise"));
-  aperture_ = numberField(QStringLiteral("render-aperture"), 0, 100, 0, false,
-                          tr("Diameter of the lens, cm: what is not as far as the target is blurred"));
-  shutter_ = numberField(QStringLiteral("render-shutter"), 0, 1, 0, false,
-                         tr("Share of a frame's time for which it is open: what moves is blurred"));
-  looseNodes_ = combo(QStringLiteral("render-loose"),
-                      {tr("Shards"), tr("Tetrahedra"), tr("Balls"), tr("Given to neighbours")});
-  looseNodes_->setToolTip(tr("How nodes are drawn that nothing holds any more"));
-  form->addRow(tr("Picture of"), what_);
-  form->addRow(tr("Camera"), camera_);
-  form->addRow(tr("Width"), width_);
-  form->addRow(tr("Height"), height_);
-  form->addRow(tr("Samples"), samples_);
-  form->addRow(tr("Aperture, cm"), aperture_);
-  form->addRow(tr("Shutter"), shutter_);
-  form->addRow(tr("Loose nodes"), looseNodes_);
-  addStyle(*form);
-  sixteenBit_ = new QCheckBox(tr("16 bit a channel"), box);
-  sixteenBit_->setToolTip(tr("Of PNG files: for those who go on working with the picture"));
-  form->addRow(QString(), sixteenBit_);
-  box->setFixedWidth(290);
-  return box;
 }
 
 QWidget* RenderDialog::makeButtons() {
@@ -222,39 +96,10 @@ QWidget* RenderDialog::makeButtons() {
   return box;
 }
 
-std::optional<PictureJob::Order> RenderDialog::order() const {
-  const Shown& shown = session_.shown();
-  const auto take = session_.takes().current();
-  if (!shown.network || !shown.moment) return std::nullopt;
-  PictureJob::Order order;
-  if (what_->currentIndex() == kAllFrames && take) {
-    const std::shared_ptr<Footage>& footage = session_.takes()[*take].footage;
-    if (footage->frameCount() == 0) return std::nullopt;
-    order.frames = framesOfFootage(footage);
-    order.last = footage->frameCount() - 1;
-  } else {
-    order.frames = framesOfMoment(shown);
-  }
-  order.framesPerSecond = order.frames.framesPerSecond;
-  order.frames.folder = session_.document().folder();
-  order.frames.scene.view.picture = styleFrom(order.frames.scene.view.picture);
-  if (camera_->currentIndex() == kViewport) order.camera = cameraOf(viewport_.camera().asScene());
-  order.choices.looseNodes = static_cast<sim::LooseNodes>(looseNodes_->currentIndex());
-  order.choices.shutter = shutter_->value().value_or(0.0);
-  if (const double aperture = aperture_->value().value_or(0.0); aperture > 0.0)
-    order.choices.aperture = aperture;
-  const auto whole = [](const NumberField& field) { return static_cast<int>(field.value().value_or(1.0)); };
-  order.settings.width = whole(*width_);
-  order.settings.height = whole(*height_);
-  order.settings.samples = whole(*samples_);
-  order.depth = sixteenBit_->isChecked() ? PngDepth::sixteenBit : PngDepth::eightBit;
-  return order;
-}
-
 void RenderDialog::startPreview() {
   if (rendering_) return;
   file_.clear();
-  auto wanted = order();
+  auto wanted = choices_->order(session_, viewport_);
   job_.reset();
   view_ = {};
   if (wanted) {
@@ -269,7 +114,7 @@ void RenderDialog::startPreview() {
 }
 
 void RenderDialog::askForFile() {
-  const bool sequence = what_->currentIndex() == kAllFrames;
+  const bool sequence = choices_->wantsAllFrames();
   const QString kinds = sequence ? tr("Film (*.mp4 *.webm *.gif *.webp *.apng);;Numbered pictures (*.png)")
                                  : tr("Picture (*.png)");
   QString file = QFileDialog::getSaveFileName(this, tr("Render to"), QString(), kinds);
@@ -279,7 +124,7 @@ void RenderDialog::askForFile() {
 }
 
 void RenderDialog::render(const std::filesystem::path& out) {
-  auto wanted = order();
+  auto wanted = choices_->order(session_, viewport_);
   if (!wanted) return;
   wanted->out = out;
   file_ = QString::fromStdString(out.string());
@@ -326,10 +171,7 @@ void RenderDialog::showState() {
   render_->setEnabled(rendering_ || session_.shown().moment != nullptr);
   progress_->setVisible(rendering_);
   progress_->setValue(static_cast<int>(1000.0 * view_.share));
-  for (QWidget* widget : findChildren<QWidget*>()) {
-    if (qobject_cast<QComboBox*>(widget) != nullptr || qobject_cast<NumberField*>(widget) != nullptr)
-      widget->setEnabled(!rendering_);
-  }
+  choices_->setEnabled(!rendering_);
   QString text;
   if (view_.problem) {
     text = textOf(*view_.problem);

@@ -3,22 +3,17 @@
 #include <QDialog>
 #include <QTimer>
 #include <memory>
-#include <optional>
 
 #include "ui/session/picture_job.h"
 #include "ui/session/session.h"
 
-class QCheckBox;
-class QComboBox;
-class QFormLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 
 namespace ui {
 
-class NumberField;
+class RenderChoices;
 class Viewport;
 
 /// Ray-traced pictures of what the window shows: a live preview of the choices, then a still, numbered
@@ -39,15 +34,7 @@ class RenderDialog : public QDialog {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* makeChoices();
-  QComboBox* combo(const QString& name, const QStringList& items);
-  void addStyle(QFormLayout& form);
-  void askForEnvironment();
-  modeling::PictureStyle styleFrom(modeling::PictureStyle style) const;
   QWidget* makeButtons();
-  NumberField* numberField(const QString& name, double least, double most, double value, bool whole,
-                           const QString& tip);
-  std::optional<PictureJob::Order> order() const;
   void startPreview();
   void askForFile();
   void poll();
@@ -56,20 +43,7 @@ class RenderDialog : public QDialog {
 
   Session& session_;
   Viewport& viewport_;
-  QComboBox* what_ = nullptr;
-  QComboBox* camera_ = nullptr;
-  QComboBox* looseNodes_ = nullptr;
-  QComboBox* surface_ = nullptr;
-  QComboBox* ground_ = nullptr;
-  QComboBox* backdrop_ = nullptr;
-  QComboBox* light_ = nullptr;
-  QString environment_;  ///< image that was chosen
-  NumberField* width_ = nullptr;
-  NumberField* height_ = nullptr;
-  NumberField* samples_ = nullptr;
-  NumberField* aperture_ = nullptr;
-  NumberField* shutter_ = nullptr;
-  QCheckBox* sixteenBit_ = nullptr;
+  RenderChoices* choices_ = nullptr;
   QLabel* picture_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

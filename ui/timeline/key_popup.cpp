@@ -19,8 +19,8 @@ KeyPopup::KeyPopup(Document& document, const KeyPlace& place, QWidget* parent)
   auto* form = new QFormLayout(this);
   form->setContentsMargins(10, 10, 10, 10);
   form->setSpacing(6);
-  const modeling::SceneTrack& found = known_.at(place_.track);
-  const modeling::SceneTrackKey& shown = found.keys.at(place_.key);
+  const modeling::SceneTrack& found = known_.at(place.track);
+  const modeling::SceneTrackKey& shown = found.keys.at(place.key);
   time_ = addField(tr("Time"), shown.time, tr(" s"), 5);
   time_->setMinimum(0.0);
   const sim::Vec3 value = modeling::asVector(shown.value);
@@ -37,15 +37,9 @@ KeyPopup::KeyPopup(Document& document, const KeyPlace& place, QWidget* parent)
 }
 
 void KeyPopup::followKey() {
-  const std::optional<KeyPlace> place = followedKey(known_, document_.scene().tracks, place_);
+  if (place_) place_ = followedKey(known_, document_.scene().tracks, *place_);
   known_ = document_.scene().tracks;
-  if (!place) {
-    close();
-    // Until it is deleted, nothing is to be typed into another key.
-    disconnect(&document_, nullptr, this, nullptr);
-    return;
-  }
-  place_ = *place;
+  if (!place_) close();
 }
 
 QDoubleSpinBox* KeyPopup::addField(const QString& name, double value, const QString& unit, int decimals) {
@@ -71,9 +65,11 @@ void KeyPopup::open(const QPoint& globalPosition) {
 }
 
 void KeyPopup::apply() {
+  // It may get a key press between its closing and its end.
+  if (!place_) return;
   document_.edit(tr("Change Key"), [&](modeling::Scene& scene) {
-    modeling::SceneTrack& edited = scene.tracks.at(place_.track);
-    modeling::SceneTrackKey& key = edited.keys.at(place_.key);
+    modeling::SceneTrack& edited = scene.tracks.at(place_->track);
+    modeling::SceneTrackKey& key = edited.keys.at(place_->key);
     sim::Vec3 value = modeling::asVector(key.value);
     for (std::size_t c = 0; c < values_.size(); ++c) {
       // A number nobody touched keeps the digits that are not shown.
@@ -81,7 +77,7 @@ void KeyPopup::apply() {
       if (qAbs(values_[c]->value() - component) > 0.5e-4) component = values_[c]->value();
     }
     key.value = asValue(edited.target, value);
-    if (qAbs(time_->value() - key.time) > 0.5e-5) moveKey(edited, place_.key, time_->value());
+    if (qAbs(time_->value() - key.time) > 0.5e-5) moveKey(edited, place_->key, time_->value());
   });
 }
 

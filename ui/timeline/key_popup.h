@@ -30,8 +30,8 @@ class KeyPopup : public QFrame {
   void followKey();
 
   Document& document_;
-  Tracks known_;  ///< those that the place is in
-  KeyPlace place_;
+  Tracks known_;                   ///< those that the place is in
+  std::optional<KeyPlace> place_;  ///< nothing once the key is gone
   QDoubleSpinBox* time_ = nullptr;
   std::vector<QDoubleSpinBox*> values_;
 };
