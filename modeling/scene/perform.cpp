@@ -94,13 +94,17 @@ std::string addPerformer(Scene& scene, SceneCollider prototype, std::vector<Scen
   prototype.name = kind + std::to_string(number);
   prototype.visible = false;
   prototype.active = {path.front().time, path.back().time};
+  addAlongPath(scene, std::move(prototype), std::move(path));
+  return scene.environment.colliders.back().name;
+}
+
+void addAlongPath(Scene& scene, SceneCollider collider, std::vector<SceneTrackKey> path) {
   SceneTrack track;
-  track.target = {sim::TrackTarget::colliderPosition, prototype.name};
+  track.target = {sim::TrackTarget::colliderPosition, collider.name};
   track.interpolation = sim::Interpolation::linear;
   track.keys = std::move(path);
   scene.tracks.push_back(std::move(track));
-  scene.environment.colliders.push_back(std::move(prototype));
-  return scene.environment.colliders.back().name;
+  scene.environment.colliders.push_back(std::move(collider));
 }
 
 }  // namespace modeling

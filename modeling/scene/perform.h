@@ -30,4 +30,7 @@ double performedScale(const Scene& scene, const TargetName& target, double time,
 /// makes it another's than all others'; gives that name.
 std::string addPerformer(Scene& scene, SceneCollider prototype, std::vector<SceneTrackKey> path);
 
+/// Adds a collider as it is, and a track that leads it along the path. No other collider has its name.
+void addAlongPath(Scene& scene, SceneCollider collider, std::vector<SceneTrackKey> path);
+
 }  // namespace modeling

@@ -9,13 +9,10 @@ namespace {
 
 std::optional<Problem> checkTrack(const Track& track, const std::string& place, std::size_t materials,
                                   std::size_t colliders) {
-  const bool drivesCollider =
-      track.target == TrackTarget::colliderPosition || track.target == TrackTarget::colliderRotation;
-  const bool drivesMaterial =
-      track.target == TrackTarget::stiffnessScale || track.target == TrackTarget::dampingScale;
-  if (drivesCollider && track.object >= colliders)
+  const bool ofMaterial = scalesMaterial(track.target);
+  if (drivesCollider(track.target) && track.object >= colliders)
     return Problem{place, "the track drives a collider that is not there", "name one of the environment's"};
-  if (drivesMaterial && track.object != kNone && track.object >= materials)
+  if (ofMaterial && track.object != kNone && track.object >= materials)
     return Problem{place, "the track drives a material that is not there", "name one of the scene's"};
   if (track.keys.empty()) return Problem{place, "the track has no keys", "give it one, or leave it out"};
   for (std::size_t k = 0; k < track.keys.size(); ++k) {
@@ -26,7 +23,7 @@ std::optional<Problem> checkTrack(const Track& track, const std::string& place, 
     if (k > 0 && key.time <= track.keys[k - 1].time)
       return Problem{place, "key " + std::to_string(k) + " is not later than the one before",
                      "sort the keys"};
-    if (drivesMaterial && key.value.x() < 0.0)
+    if (ofMaterial && key.value.x() < 0.0)
       return Problem{place, "key " + std::to_string(k) + " is a negative scale", "use 0 or more"};
   }
   return std::nullopt;

@@ -31,7 +31,8 @@ void setContained(Names& names, const std::string& name, bool contained) {
 
 /// Tracks of materials or of colliders that name this one.
 bool drives(const modeling::SceneTrack& track, ItemKind kind, const std::string& name) {
-  return track.target.object == name && sim::drivesCollider(track.target.target) == (kind == ItemKind::collider);
+  return track.target.object == name &&
+         sim::drivesCollider(track.target.target) == (kind == ItemKind::collider);
 }
 
 std::string* nameIn(Scene& scene, const Item& item) {

@@ -10,19 +10,14 @@ namespace {
 
 /// A collider keeps the name the run gave it where the scene has no other of that name by now.
 void addCollider(const PerformedCollider& performed, modeling::Scene& scene) {
-  auto& colliders = scene.environment.colliders;
+  const auto& colliders = scene.environment.colliders;
   const bool taken = std::ranges::find(colliders, performed.collider.name, &modeling::SceneCollider::name) !=
                      colliders.end();
   if (taken) {
     static_cast<void>(modeling::addPerformer(scene, performed.collider, performed.path));
     return;
   }
-  modeling::SceneTrack track;
-  track.target = {sim::TrackTarget::colliderPosition, performed.collider.name};
-  track.interpolation = sim::Interpolation::linear;
-  track.keys = performed.path;
-  scene.tracks.push_back(std::move(track));
-  colliders.push_back(performed.collider);
+  modeling::addAlongPath(scene, performed.collider, performed.path);
 }
 
 }  // namespace
