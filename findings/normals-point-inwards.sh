@@ -18,9 +18,9 @@ cd "$folder"
 mkdir packages && chmod 777 packages
 (cd packages && apt-get download --quiet "assimp-utils=$version" "libassimp5=$version" libdraco7 libminizip1 \
   zlib1g >/dev/null 2>download.log) || { cat packages/download.log; exit 2; }
-for package in packages/*.deb; do dpkg -x "$package" root; done
+for package in packages/*.deb; do dpkg -x "$package" unpacked; done
 assimp() {
-  LD_LIBRARY_PATH="$(echo "$folder"/root/usr/lib/*-linux-gnu*)" "$folder/root/usr/bin/assimp" "$@" >/dev/null
+  LD_LIBRARY_PATH="$(echo "$folder"/unpacked/usr/lib/*-linux-gnu*)" "$folder/unpacked/usr/bin/assimp" "$@" >/dev/null
 }
 python3 - <<'SCRIPT'
 import base64, json, struct

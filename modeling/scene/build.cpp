@@ -55,7 +55,6 @@ std::vector<std::string> warningsOf(const BuiltScene& built) {
   return warnings;
 }
 
-
 sim::Settings settingsOf(const Solver& solver) {
   sim::Settings settings;
   settings.method = solver.method;

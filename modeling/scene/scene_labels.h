@@ -82,13 +82,12 @@ static_assert(labelsEachValue(ChoiceLabels<sim::Interpolation>::kList));
 
 template <>
 struct ChoiceLabels<sim::Method> {
-  static constexpr std::array<ChoiceLabel<sim::Method>, 6> kList{
-      {{sim::Method::forwardEuler, "Forward Euler"},
-       {sim::Method::symplecticEuler, "Symplectic Euler"},
-       {sim::Method::velocityVerlet, "Velocity Verlet"},
-       {sim::Method::rungeKutta, "Runge-Kutta 4"},
-       {sim::Method::implicitEuler, "Implicit Euler"},
-       {sim::Method::implicitMidpoint, "Implicit midpoint"}}};
+  static constexpr std::array<ChoiceLabel<sim::Method>, sim::kMethods> kList = [] {
+    std::array<ChoiceLabel<sim::Method>, sim::kMethods> list{};
+    for (std::size_t m = 0; m < list.size(); ++m)
+      list[m] = {static_cast<sim::Method>(m), sim::kMethodTitles[m]};
+    return list;
+  }();
 };
 static_assert(labelsEachValue(ChoiceLabels<sim::Method>::kList));
 

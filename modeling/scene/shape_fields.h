@@ -17,7 +17,8 @@ struct Fields<Resolution> {
         field("cellSize", &T::cellSize, "Cell size", "Target edge of a cell.")
             .in(Dimension::length, 0.05)
             .above(0),
-        field("counts", &T::counts, "Cells", "Cells along the shape's u, v and w; null: as many as make them nearest to cellSize.")
+        field("counts", &T::counts, "Cells",
+              "Cells along the shape's u, v and w; null: as many as make them nearest to cellSize.")
             .absent("auto")
             .atLeast(1)
             .atMost(1e6)};

@@ -17,8 +17,8 @@ struct Simulation::State {
     placeBodies(stepper.world());
     return stepper.world();
   }
-  /// Snapshots between two breaks share it. Bonds never heal, so that in one run their number tells whether anything
-  /// broke; where the run becomes another one, forgetBroken() is called.
+  /// Snapshots between two breaks share it. Bonds never heal, so that in one run their number tells whether
+  /// anything broke; where the run becomes another one, forgetBroken() is called.
   const BrokenPointer& brokenNow() {
     const std::uint64_t bonds = world().breakage.brokenBondCount();
     if (!broken || brokenBonds != bonds) {

@@ -13,8 +13,6 @@ namespace sim {
 /// Nothing for a name that no method has.
 std::optional<Method> methodFromName(std::string_view name);
 std::string_view nameOf(Method method);
-/// For people.
-std::string_view titleOf(Method method);
 /// Velocities are kicked and positions drifted, with one force a step.
 bool isLeapfrog(Method method);
 /// It is stable with any step.

@@ -35,7 +35,6 @@ using Recurrence = Leapfrog::Recurrence;
 constexpr std::array<MethodRecord, kMethods> kTable{{
     {.method = Method::forwardEuler,
      .name = "forward-euler",
-     .title = "Forward Euler",
      .leapfrog = true,
      .implicit = false,
      .error = {},
@@ -44,7 +43,6 @@ constexpr std::array<MethodRecord, kMethods> kTable{{
      .make = makeLeapfrog<Recurrence::forwardEuler>},
     {.method = Method::symplecticEuler,
      .name = "symplectic-euler",
-     .title = "Symplectic Euler",
      .leapfrog = true,
      .implicit = false,
      .error = {},
@@ -53,7 +51,6 @@ constexpr std::array<MethodRecord, kMethods> kTable{{
      .make = makeLeapfrog<Recurrence::symplecticEuler>},
     {.method = Method::velocityVerlet,
      .name = "velocity-verlet",
-     .title = "Velocity Verlet",
      .leapfrog = true,
      .implicit = false,
      .error = {3, kSureOfLeapfrog},
@@ -62,7 +59,6 @@ constexpr std::array<MethodRecord, kMethods> kTable{{
      .make = makeLeapfrog<Recurrence::verlet>},
     {.method = Method::rungeKutta,
      .name = "rk4",
-     .title = "Runge-Kutta 4",
      .leapfrog = false,
      .implicit = false,
      .error = {4, kSureOfOneStep},
@@ -71,7 +67,6 @@ constexpr std::array<MethodRecord, kMethods> kTable{{
      .make = makeRungeKutta},
     {.method = Method::implicitEuler,
      .name = "implicit-euler",
-     .title = "Implicit Euler",
      .leapfrog = false,
      .implicit = true,
      .error = {2, kSureOfOneStep},
@@ -80,7 +75,6 @@ constexpr std::array<MethodRecord, kMethods> kTable{{
      .make = makeImplicit<false>},
     {.method = Method::implicitMidpoint,
      .name = "implicit-midpoint",
-     .title = "Implicit midpoint",
      .leapfrog = false,
      .implicit = true,
      .error = {3, kSureOfOneStep},
@@ -114,10 +108,6 @@ std::optional<Method> methodFromName(std::string_view name) {
 
 std::string_view nameOf(Method method) {
   return recordOf(method).name;
-}
-
-std::string_view titleOf(Method method) {
-  return recordOf(method).title;
 }
 
 bool isLeapfrog(Method method) {

@@ -25,8 +25,7 @@ struct MethodRecord {
   using StepRule = double (*)(const Spectrum&, const Stiffening&, double safety);
 
   Method method;
-  std::string_view name;   ///< in files and on the command line
-  std::string_view title;  ///< for people
+  std::string_view name;  ///< in files and on the command line
   bool leapfrog;  ///< one force a step, velocities kicked, positions drifted; fragments may be skipped
   bool implicit;  ///< stable with any step
   ErrorRule error;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sim/collider/collider.h"
@@ -15,7 +17,12 @@ enum class Method {
   implicitEuler,
   implicitMidpoint
 };
-inline constexpr std::size_t kMethods = 6;
+/// What people call the methods, in their order. What the program knows of them is in
+/// sim/methods/method_table.h.
+inline constexpr std::array<std::string_view, 6> kMethodTitles{"Forward Euler",   "Symplectic Euler",
+                                                               "Velocity Verlet", "Runge-Kutta 4",
+                                                               "Implicit Euler",  "Implicit midpoint"};
+inline constexpr std::size_t kMethods = kMethodTitles.size();
 
 /// Natural length of the spring between two nodes in contact (docs/numerics.md, Contact 3).
 enum class ContactLength {
@@ -32,8 +39,8 @@ struct ContactSettings {
   double friction = 0.4;        ///< lateral force relative to k (rho - x) (Contact 6)
 };
 
-/// What is left out of the motion of fragments where a scene does not need it (docs/numerics.md, "What is skipped").
-/// Switched off, it is computed in full, to compare.
+/// What is left out of the motion of fragments where a scene does not need it (docs/numerics.md, "What is
+/// skipped"). Switched off, it is computed in full, to compare.
 struct SkipSettings {
   bool sleep = true;  ///< fragments at rest, until something wakes them
   bool rigid = true;  ///< deformation of fragments that fly freely with no strain to speak of

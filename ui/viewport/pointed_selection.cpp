@@ -58,8 +58,7 @@ std::vector<Item> itemsIn(const QRectF& frame, Session& session, const ViewCamer
   for (std::size_t collider = 0; collider < scene.environment.colliders.size(); ++collider) {
     const modeling::SceneCollider& one = scene.environment.colliders[collider];
     // A floor has no middle that anyone sees.
-    if (!one.isFloor() && inside(one.position))
-      items.push_back({ItemKind::collider, collider});
+    if (!one.isFloor() && inside(one.position)) items.push_back({ItemKind::collider, collider});
   }
   std::erase_if(items, [&](const Item& item) { return isLocked(scene, item) || isHidden(scene, item); });
   return items;
