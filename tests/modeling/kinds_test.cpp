@@ -42,7 +42,7 @@ struct Example {
     }
   }
   void operator()(modeling::MeshShape& shape) const {
-    shape.file = "resources/scenes/meshes/dish.obj";
+    shape.file = "resources/scenes/meshes/fluted-vase.obj";
     shape.unit = modeling::MeshUnit::centimetre;
     shape.up = modeling::MeshUp::z;
   }

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "modeling/scene/field_info.h"
+#include "sim/methods/method_names.h"
 #include "ui/document/new_scene.h"
 #include "ui/panels/field_rows.h"
 #include "ui/panels/file_field.h"
