@@ -1,12 +1,11 @@
 #include <cmath>
 #include <map>
 
-#include <Eigen/QR>
-
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/frame_loop.h"
 #include "modeling/exchange/rigid_fit.h"
 #include "modeling/text/text_output.h"
+#include "sim/base/spin.h"
 
 namespace modeling {
 
@@ -43,7 +42,7 @@ Vec3 angularVelocity(const FinalFragment& fragment, const sim::Network& network,
     inertia += massOf(node) * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
     momentum += massOf(node) * arm.cross(frame.velocities[node] - velocity);
   }
-  return inertia.completeOrthogonalDecomposition().solve(momentum);
+  return sim::spinOf(inertia, momentum);
 }
 
 class FragmentTable {

@@ -64,4 +64,12 @@ bool TargetName::isVector() const {
   return sim::isVector(target);
 }
 
+Scene::Scene() = default;
+Scene::Scene(const Scene& other) = default;
+Scene::Scene(Scene&& other) noexcept = default;
+Scene& Scene::operator=(const Scene& other) = default;
+Scene& Scene::operator=(Scene&& other) noexcept = default;
+Scene::~Scene() = default;
+bool Scene::operator==(const Scene& other) const = default;
+
 }  // namespace modeling

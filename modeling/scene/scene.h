@@ -111,7 +111,16 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
+/// Copied and destroyed in scene.cpp: in each of the sources that pass scenes on, that code took a second to
+/// compile.
 struct Scene {
+  Scene();
+  Scene(const Scene& other);
+  Scene(Scene&& other) noexcept;
+  Scene& operator=(const Scene& other);
+  Scene& operator=(Scene&& other) noexcept;
+  ~Scene();
+
   std::string name;
   std::vector<SceneMaterial> materials;  ///< names differ
   std::vector<Part> parts;               ///< names differ
@@ -122,7 +131,7 @@ struct Scene {
   Output output;
   View view;
 
-  bool operator==(const Scene&) const = default;
+  bool operator==(const Scene& other) const;
 };
 
 /// What makes the scene impossible though each value by itself is possible: names given twice or to nothing,

@@ -90,6 +90,13 @@ std::optional<std::string> checkCells(const Network& network) {
 
 }  // namespace
 
+Network::Network() = default;
+Network::Network(const Network& other) = default;
+Network::Network(Network&& other) noexcept = default;
+Network& Network::operator=(const Network& other) = default;
+Network& Network::operator=(Network&& other) noexcept = default;
+Network::~Network() = default;
+
 NodeIndex Network::bondStart(BondIndex bond) const {
   const auto after = std::upper_bound(firstBond.begin(), firstBond.end(), bond);
   return static_cast<NodeIndex>(after - firstBond.begin()) - 1;

@@ -49,6 +49,15 @@ using CellCorners = std::array<NodeIndex, 8>;
 /// different but in wedges (sim/network/wedge.h); those of a part stand together, in the order of parts. A
 /// node of infinite mass is held: it keeps its velocity whatever pulls at it.
 struct Network {
+  // Copied and destroyed in network.cpp, which saves each source that passes networks on half a second to
+  // compile.
+  Network();
+  Network(const Network& other);
+  Network(Network&& other) noexcept;
+  Network& operator=(const Network& other);
+  Network& operator=(Network&& other) noexcept;
+  ~Network();
+
   // Nodes, one entry each.
   std::vector<Vec3> positions;   ///< R_i, cm
   std::vector<Vec3> velocities;  ///< V_i, cm/s

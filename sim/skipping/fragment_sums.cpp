@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/base/spin.h"
+
 namespace sim {
 
 double FragmentSums::rigidSpeedSquared() const {
@@ -34,7 +36,7 @@ std::vector<FragmentSums> sumFragments(const World& world) {
   }
   for (FragmentSums& sum : sums) {
     if (sum.inertia.trace() > 0.0)
-      sum.spin = sum.inertia.completeOrthogonalDecomposition().solve(sum.angularMomentum);
+      sum.spin = spinOf(sum.inertia, sum.angularMomentum);
   }
   for (const RigidBody& body : world.fragments.bodies) {
     FragmentSums& sum = sums[body.fragment()];
