@@ -106,38 +106,39 @@ std::span<const FieldInfo> fieldsOf() {
   return infos;
 }
 
+// Of each kind of part and of collider.
+namespace {
+
+template <class... Kinds>
+constexpr auto fieldsOfEach(const std::variant<Kinds...>*) {
+  return std::array{&fieldsOf<Kinds>...};
+}
+[[gnu::used]] constexpr auto kOfParts = fieldsOfEach(static_cast<const PartShape*>(nullptr));
+[[gnu::used]] constexpr auto kOfColliders = fieldsOfEach(static_cast<const ColliderForm*>(nullptr));
+
+}  // namespace
+
 template std::span<const FieldInfo> fieldsOf<Backdrop>();
-template std::span<const FieldInfo> fieldsOf<BezierPatchShape>();
 template std::span<const FieldInfo> fieldsOf<BondType>();
 template std::span<const FieldInfo> fieldsOf<Box>();
-template std::span<const FieldInfo> fieldsOf<BoxShape>();
 template std::span<const FieldInfo> fieldsOf<Camera>();
 template std::span<const FieldInfo> fieldsOf<Contact>();
-template std::span<const FieldInfo> fieldsOf<CurvedCylinderShape>();
-template std::span<const FieldInfo> fieldsOf<CylinderShape>();
 template std::span<const FieldInfo> fieldsOf<EnvironmentLight>();
-template std::span<const FieldInfo> fieldsOf<FloorShape>();
 template std::span<const FieldInfo> fieldsOf<Gluing>();
 template std::span<const FieldInfo> fieldsOf<Ground>();
 template std::span<const FieldInfo> fieldsOf<Look>();
 template std::span<const FieldInfo> fieldsOf<Material>();
-template std::span<const FieldInfo> fieldsOf<MeshObstacle>();
-template std::span<const FieldInfo> fieldsOf<MeshShape>();
-template std::span<const FieldInfo> fieldsOf<NetworkShape>();
 template std::span<const FieldInfo> fieldsOf<Output>();
 template std::span<const FieldInfo> fieldsOf<Part>();
 template std::span<const FieldInfo> fieldsOf<PictureStyle>();
 template std::span<const FieldInfo> fieldsOf<Placement>();
 template std::span<const FieldInfo> fieldsOf<Plastic>();
 template std::span<const FieldInfo> fieldsOf<Resolution>();
-template std::span<const FieldInfo> fieldsOf<RevolutionShape>();
 template std::span<const FieldInfo> fieldsOf<Scene>();
 template std::span<const FieldInfo> fieldsOf<SceneCollider>();
 template std::span<const FieldInfo> fieldsOf<SceneEnvironment>();
 template std::span<const FieldInfo> fieldsOf<SceneTrack>();
-template std::span<const FieldInfo> fieldsOf<SlabShape>();
 template std::span<const FieldInfo> fieldsOf<Solver>();
-template std::span<const FieldInfo> fieldsOf<SphereShape>();
 template std::span<const FieldInfo> fieldsOf<ThresholdSpec>();
 template std::span<const FieldInfo> fieldsOf<View>();
 template std::span<const FieldInfo> fieldsOf<sim::SkipSettings>();

@@ -7,7 +7,7 @@
 namespace sim {
 
 /// How deep a point is inside a collider, and the way out. A depth of at most 0 means outside, by at least
-/// -depth: exactly so for a floor, a sphere and a mesh, a lower bound for a box and a cylinder.
+/// -depth; each kind says where that is exact.
 struct Intrusion {
   double depth = 0.0;             ///< cm
   Vec3 normal = Vec3::UnitZ();    ///< unit, out of the collider

@@ -86,7 +86,8 @@ TEST_CASE("a chain swings in its modes with the method's order") {
     }
     return worst;
   };
-  checkOrder(errorWith(100), errorWith(200), order);
+  // So many steps that the next term of the error is small in the stiffest of its modes, too.
+  checkOrder(errorWith(400), errorWith(800), order);
 }
 
 TEST_CASE("momenta stay with every method") {

@@ -1,5 +1,6 @@
 #include <QLabel>
 
+#include "ui/kinds/part_kinds.h"
 #include "ui/panels/field_rows.h"
 #include "ui/panels/item_properties.h"
 
@@ -12,9 +13,6 @@ template <class Shape>
 Shape* shapeOf(Scene& scene, const Item& item) {
   return item.index < scene.parts.size() ? std::get_if<Shape>(&scene.parts[item.index].shape) : nullptr;
 }
-
-/// What u, v and w are called in a shape.
-using AxisNames = std::array<QString, 3>;
 
 /// How many cells there are in one direction.
 void addCount(PropertyForm& form, std::size_t axis, RowLabel label, NumberFormat format,
@@ -64,7 +62,7 @@ void addLatticeReport(PropertyForm& form) {
 
 /// The rows that follow a shape's own.
 template <class Shape>
-void addResolution(PropertyForm& form, const RowLabel& label, const AxisNames& axes) {
+void addResolution(PropertyForm& form, const RowLabel& label, const Shape& shown) {
   const auto place = [](Scene& scene, const Item& item) -> modeling::Resolution* {
     Shape* shape = shapeOf<Shape>(scene, item);
     return shape ? &shape->resolution : nullptr;
@@ -73,6 +71,7 @@ void addResolution(PropertyForm& form, const RowLabel& label, const AxisNames& a
   FieldRows resolution(form, label.path, place);
   resolution.add("cellSize");
   RowLabel counts = resolution.label("counts");
+  const std::array<QString, 3> axes = kindOf(shown).axes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     counts.text = axes[axis];
     addCount(form, axis, counts, resolution.format("counts"), place);
@@ -89,30 +88,26 @@ void addHint(PropertyForm& form, const QString& text, const RowLabel& label) {
   form.addWide(hint, {}, label);
 }
 
-/// The rows of a shape, one function a kind.
-void addShape(PropertyForm& form, const modeling::SlabShape&) {
-  using Shape = modeling::SlabShape;
-  FieldRows slab(form, "", shapeOf<Shape>);
-  const RowLabel resolution = slab.label("resolution");
-  slab.addRest();
-  addResolution<Shape>(
-      form, resolution,
-      {PropertyForm::tr("Along x"), PropertyForm::tr("Along y"), PropertyForm::tr("Along z")});
+/// The rows of a shape: its plain values and its cells. A kind with more has a function of its own.
+template <class Shape>
+void addShape(PropertyForm& form, const Shape& shape) {
+  FieldRows rows(form, "", shapeOf<Shape>);
+  const RowLabel resolution = rows.label("resolution");
+  rows.addRest();
+  addResolution(form, resolution, shape);
 }
 
-void addShape(PropertyForm& form, const modeling::BezierPatchShape&) {
+void addShape(PropertyForm& form, const modeling::BezierPatchShape& shape) {
   using Shape = modeling::BezierPatchShape;
   FieldRows patch(form, "", shapeOf<Shape>);
   const RowLabel net = patch.label("net");
   const RowLabel resolution = patch.label("resolution");
   patch.addRest();
   addHint(form, PropertyForm::tr("Drag its control points in the viewport."), net);
-  addResolution<Shape>(
-      form, resolution,
-      {PropertyForm::tr("Along u"), PropertyForm::tr("Along v"), PropertyForm::tr("Through")});
+  addResolution(form, resolution, shape);
 }
 
-void addShape(PropertyForm& form, const modeling::RevolutionShape&) {
+void addShape(PropertyForm& form, const modeling::RevolutionShape& shape) {
   using Shape = modeling::RevolutionShape;
   FieldRows body(form, "", shapeOf<Shape>);
   const RowLabel outside = body.label("outside");
@@ -121,8 +116,7 @@ void addShape(PropertyForm& form, const modeling::RevolutionShape&) {
   body.add("startAngle");
   body.addRest();
   addHint(form, PropertyForm::tr("Draw its two profiles in the profile editor."), outside);
-  addResolution<Shape>(form, resolution,
-                       {PropertyForm::tr("Around"), PropertyForm::tr("Along"), PropertyForm::tr("Through")});
+  addResolution(form, resolution, shape);
 }
 
 void addShape(PropertyForm& form, const modeling::CurvedCylinderShape& shape) {
@@ -134,11 +128,7 @@ void addShape(PropertyForm& form, const modeling::CurvedCylinderShape& shape) {
     sweep.add(first);
   sweep.addRest();
   addHint(form, PropertyForm::tr("Drag its curve and its widths in the viewport."), curve);
-  const bool flat = shape.section == modeling::SweepSection::rectangle;
-  addResolution<Shape>(
-      form, resolution,
-      {PropertyForm::tr("Along"), flat ? PropertyForm::tr("Across") : PropertyForm::tr("Around"),
-       flat ? PropertyForm::tr("Deep") : PropertyForm::tr("Through")});
+  addResolution(form, resolution, shape);
 }
 
 modeling::BondType* bondTypeOf(Scene& scene, const Item& item, std::size_t type) {
