@@ -16,6 +16,10 @@ constexpr std::uint32_t kCheckpointVersion = 9;
 const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
                        "resume from an earlier one, or run again"};
 
+const Problem kOlder{"checkpoint",
+                     "another version of the program wrote it, in a form that this one does not continue",
+                     "go on from a frame in a take beside it, by --from or --time, or run again"};
+
 void saveVectors(ByteWriter& writer, const NodeVectors& vectors) {
   for (std::size_t k = 0; k < 3; ++k)
     writer.putVector(std::vector<double>(vectors.axis(k), vectors.axis(k) + vectors.size()));
@@ -173,7 +177,8 @@ Status loadCheckpoint(std::span<const std::byte> checkpoint, World& world, StepL
   if (!isSealed(checkpoint)) return kDamaged;
   ByteReader reader(checkpoint.first(checkpoint.size() - kSealBytes));
   std::uint32_t version = 0;
-  if (!reader.read(version) || version != kCheckpointVersion) return kDamaged;
+  if (!reader.read(version)) return kDamaged;
+  if (version != kCheckpointVersion) return kOlder;
   Loaded loaded{.clock = {},
                 .now = world.now,
                 .brokenBonds = {},

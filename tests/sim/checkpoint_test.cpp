@@ -109,6 +109,28 @@ std::vector<std::byte> midwayCheckpoint() {
   return run->checkpoint();
 }
 
+/// The last eight bytes are the hash of all before them.
+void sealAnew(std::vector<std::byte>& checkpoint) {
+  const std::uint64_t seal = XXH3_64bits(checkpoint.data(), checkpoint.size() - 8);
+  std::memcpy(checkpoint.data() + checkpoint.size() - 8, &seal, 8);
+}
+
+TEST_CASE("a checkpoint of another version is refused as that, not as damaged") {
+  std::vector<std::byte> older = midwayCheckpoint();
+  std::uint32_t version = 0;
+  std::memcpy(&version, older.data(), sizeof version);
+  --version;
+  std::memcpy(older.data(), &version, sizeof version);
+  sealAnew(older);
+  const auto target = tests::crash({});
+  const std::uint64_t before = target->stateHash();
+  const sim::Status status = target->restore(older);
+  REQUIRE_FALSE(status.ok());
+  CHECK(status.problem().what.find("another version") != std::string::npos);
+  CHECK(status.problem().remedy.find("--from") != std::string::npos);
+  CHECK(target->stateHash() == before);
+}
+
 TEST_CASE("a cut or flipped checkpoint is refused and changes nothing") {
   const std::vector<std::byte> sound = midwayCheckpoint();
   const auto target = tests::crash({});
@@ -140,8 +162,7 @@ TEST_CASE("a checkpoint that is wrong but well sealed does no harm") {
       const std::uint64_t counter = 4 * k + static_cast<std::uint64_t>(flip);
       forged[draw(7, counter, sound.size() - 8)] = static_cast<std::byte>(draw(8, counter, 256));
     }
-    const std::uint64_t seal = XXH3_64bits(forged.data(), forged.size() - 8);
-    std::memcpy(forged.data() + forged.size() - 8, &seal, 8);
+    sealAnew(forged);
     const auto target = tests::crash({});
     if (!target->restore(forged).ok()) {
       ++refused;
