@@ -35,8 +35,7 @@ std::vector<FragmentSums> sumFragments(const World& world) {
     sum.inertia += mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
   }
   for (FragmentSums& sum : sums) {
-    if (sum.inertia.trace() > 0.0)
-      sum.spin = spinOf(sum.inertia, sum.angularMomentum);
+    if (sum.inertia.trace() > 0.0) sum.spin = spinOf(sum.inertia, sum.angularMomentum);
   }
   for (const RigidBody& body : world.fragments.bodies) {
     FragmentSums& sum = sums[body.fragment()];
