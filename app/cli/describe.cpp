@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "app/cli/command.h"
+#include "app/cli/waiting.h"
 #include "modeling/import/lammps_data.h"
 #include "modeling/preflight/preflight.h"
 #include "modeling/scene/build.h"
@@ -134,7 +135,7 @@ sim::Result<Json> describeScene(const std::filesystem::path& file) {
   const sim::Result<modeling::SceneFile> scene = modeling::loadScene(file);
   if (!scene) return scene.problem();
   tell(scene->notes);
-  sim::Result<BuiltScene> built = modeling::build(scene->scene, file.parent_path());
+  sim::Result<BuiltScene> built = modeling::build(scene->scene, file.parent_path(), Waiting().attendance());
   if (!built) return scene->located(built.problem());
   Json info = {{"kind", "scene"}, {"name", scene->scene.name}};
   addCounts(built->network, info);

@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
+#include "app/cli/waiting.h"
 #include "modeling/exchange/lammps_import.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
@@ -33,7 +34,8 @@ ExitStatus import(const ImportOptions& options) {
   const auto file = modeling::loadScene(options.scene, options.settings);
   if (!file) return complain(file.problem());
   tell(file->notes);
-  auto built = modeling::build(file->scene, std::filesystem::path(options.scene).parent_path());
+  auto built = modeling::build(file->scene, std::filesystem::path(options.scene).parent_path(),
+                               Waiting().attendance());
   if (!built) return complain(file->located(built.problem()));
   const double expected = std::max(1.0, file->scene.output.duration * file->scene.output.fps + 1.0);
   Progress progress("import");

@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
+#include "app/cli/waiting.h"
 #include "modeling/scene/build.h"
 #include "sim/take/take.h"
 
@@ -24,8 +25,8 @@ ExitStatus simulate(const SimulateOptions& options) {
   const sim::Result<modeling::SceneFile> file = options.scene.load();
   if (!file) return complain(file.problem());
   const modeling::Scene& scene = file->scene;
-  sim::Result<modeling::BuiltScene> built =
-      modeling::build(scene, std::filesystem::path(options.scene.scene).parent_path());
+  sim::Result<modeling::BuiltScene> built = modeling::build(
+      scene, std::filesystem::path(options.scene.scene).parent_path(), Waiting().attendance());
   if (!built) return complain(file->located(built.problem()));
 
   modeling::Conditions& conditions = built->conditions;

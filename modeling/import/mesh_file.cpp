@@ -5,75 +5,20 @@
 #include <map>
 #include <sstream>
 
+#include "modeling/import/file_bytes.h"
+#include "modeling/import/mesh_bodies.h"
 #include "modeling/import/mesh_reader.h"
+#include "modeling/import/mesh_units.h"
+#include "sim/collider/surface_check.h"
 
 namespace modeling {
-
 namespace {
 
+using sim::Problem;
 using sim::Vec3;
 
-using sim::Problem;
-
-struct UnitName {
-  MeshUnit unit;
-  double centimetres;
-  const char* name;
-};
-/// In the order in which they are guessed.
-constexpr std::array<UnitName, 4> kUnits{{{MeshUnit::centimetre, 1.0, "centimetres"},
-                                          {MeshUnit::millimetre, 0.1, "millimetres"},
-                                          {MeshUnit::metre, 100.0, "metres"},
-                                          {MeshUnit::inch, 2.54, "inches"}}};
-/// What dishware measures at its longest, cm: from an egg cup to a platter.
-constexpr double kSmallestDish = 3.0;
-constexpr double kLargestDish = 60.0;
 /// Corners nearer than this share of the mesh's size are one.
 constexpr double kOnePlace = 1e-7;
-
-std::string endingOf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return ending;
-}
-
-bool isMetric(const std::string& ending) {
-  return ending == ".glb" || ending == ".gltf" || ending == ".dae";
-}
-
-struct Unit {
-  double centimetres = 1.0;
-  std::string words;
-};
-
-Unit named(MeshUnit unit) {
-  for (const UnitName& known : kUnits)
-    if (known.unit == unit) return {known.centimetres, std::string("in ") + known.name};
-  return {};
-}
-
-/// The unit as asked for, as the format says, or in which the mesh is as large as dishware.
-Unit unitOf(const MeshSource& source, const RawMesh& raw, const std::string& ending, double size) {
-  if (source.unit != MeshUnit::guess) return named(source.unit);
-  if (isMetric(ending)) return {100.0, "in metres, as its format says"};
-  if (raw.unit > 0.0 && std::isfinite(raw.unit)) return {raw.unit, "in the unit that it states"};
-  for (const UnitName& guess : kUnits) {
-    const double length = size * guess.centimetres;
-    if (length < kSmallestDish || length > kLargestDish) continue;
-    Unit unit = named(guess.unit);
-    unit.words += " by a guess at its size (state its unit to be sure)";
-    return unit;
-  }
-  Unit unit = named(MeshUnit::centimetre);
-  unit.words += ", as no unit makes it as large as dishware (state its unit)";
-  return unit;
-}
-
-bool isYUp(const MeshSource& source, const RawMesh& raw, const std::string& ending) {
-  if (source.up != MeshUp::guess) return source.up == MeshUp::y;
-  return isMetric(ending) || raw.up == 1 || (raw.up == 0 && ending == ".fbx");
-}
 
 /// Corners in one place made one: formats without shared corners (STL), and seams of textures, list them
 /// anew.
@@ -97,70 +42,110 @@ class Welder {
   std::map<std::array<std::int64_t, 3>, std::uint32_t> known_;
 };
 
-sim::TriangleMesh welded(const RawMesh& raw, double scale, bool yUp, double size) {
-  Welder welder(size * scale * kOnePlace);
-  std::vector<std::uint32_t> place(raw.points.size(), sim::kNone);
+struct Surface {
+  std::vector<Vec3> points;
   std::vector<sim::TriangleMesh::Triangle> triangles;
+};
+
+/// `raw` has points in cm.
+Surface welded(const RawMesh& raw, double size) {
+  Welder welder(size * kOnePlace);
+  std::vector<std::uint32_t> place(raw.points.size(), sim::kNone);
+  Surface surface;
   for (const auto& triangle : raw.triangles) {
-    sim::TriangleMesh::Triangle& made = triangles.emplace_back();
+    sim::TriangleMesh::Triangle made{};
     for (std::size_t c = 0; c < 3; ++c) {
       std::uint32_t& at = place[triangle[c]];
-      const Vec3 point = scale * raw.points[triangle[c]];
-      if (at == sim::kNone) at = welder.add(yUp ? Vec3(point.x(), -point.z(), point.y()) : point);
+      if (at == sim::kNone) at = welder.add(raw.points[triangle[c]]);
       made[c] = at;
     }
+    if (made[0] != made[1] && made[1] != made[2] && made[2] != made[0]) surface.triangles.push_back(made);
   }
-  return {std::move(welder.points), triangles};
+  surface.points = std::move(welder.points);
+  return surface;
 }
 
-sim::TriangleMesh turnedInsideOut(const sim::TriangleMesh& mesh) {
-  auto triangles = mesh.triangles();
-  for (auto& triangle : triangles) std::swap(triangle[1], triangle[2]);
-  return {mesh.points(), triangles};
-}
+const Problem kUnreadable{"", "cannot read this file", "look at its name and place"};
 
 sim::Status checkFile(const std::filesystem::path& file, const std::string& ending) {
-  std::string known;
-  for (const std::string& name : meshFileEndings()) known += (known.empty() ? "" : ", ") + name;
   const auto& endings = meshFileEndings();
-  if (std::find(endings.begin(), endings.end(), ending) == endings.end())
-    return Problem{file.string(), "this is no format of meshes that can be read", "use one of " + known};
+  const auto isKnown = [&](const std::string& one) {
+    return std::find(endings.begin(), endings.end(), one) != endings.end();
+  };
   std::error_code error;
+  if (!isKnown(ending)) {
+    if (isKnown(endingOf(file.stem())) && std::filesystem::exists(file, error))
+      return Problem{"", "this file is packed (" + ending + ")", "unpack it first"};
+    std::string known;
+    for (const std::string& name : endings) known += (known.empty() ? "" : ", ") + name;
+    return Problem{"", "this is no format of meshes that can be read", "use one of " + known};
+  }
+  if (!std::filesystem::is_regular_file(file, error)) return kUnreadable;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return Problem{file.string(), "cannot read this file", "look at its name and place"};
+  if (error) return kUnreadable;
   if (size > kLargestMeshFile) {
-    return Problem{file.string(),
-                   "this file is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MB",
+    return Problem{"", "this file is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MB",
                    "use a mesh of fewer faces"};
   }
   return sim::Done{};
 }
 
-sim::Result<double> sizeOf(const RawMesh& raw, const std::filesystem::path& file) {
+Eigen::AlignedBox3d boxOf(const RawMesh& raw) {
   Eigen::AlignedBox3d box;
-  for (const auto& triangle : raw.triangles) {
-    for (const std::uint32_t point : triangle) {
-      if (point >= raw.points.size() || !raw.points[point].allFinite() ||
-          raw.points[point].cwiseAbs().maxCoeff() > 1e12)
-        return Problem{file.string(), "a corner of this mesh is nowhere", "export it anew"};
-      box.extend(raw.points[point]);
-    }
-  }
-  if (box.isEmpty() || !(box.diagonal().maxCoeff() > 0.0))
-    return Problem{file.string(), "there are no faces in this file", "export a mesh of faces"};
-  return box.diagonal().maxCoeff();
+  for (const auto& triangle : raw.triangles)
+    for (const std::uint32_t point : triangle)
+      if (raw.points[point].allFinite()) box.extend(raw.points[point]);
+  return box;
 }
 
-std::string remarkOn(const std::filesystem::path& file, const sim::TriangleMesh& mesh, const Unit& unit,
-                     bool yUp, bool turned) {
+std::string bodiesText(const MeshBodies& bodies) {
+  std::string words;
+  if (bodies.turned > 0 && bodies.turned == bodies.closed) {
+    words = "; it was inside out, and was turned";
+  } else if (bodies.turned > 0) {
+    words = "; " + std::to_string(bodies.turned) + " of its " + std::to_string(bodies.closed) +
+            " bodies were inside out, and were turned";
+  }
+  if (bodies.filled > 0) {
+    words += "; " + std::to_string(bodies.filled) +
+             " closed bodies lie within another and face the same way, so that they are filled (to make it "
+             "hollow, "
+             "flip their normals)";
+  }
+  return words;
+}
+
+std::string remarkOn(const MeshSource& source, const sim::TriangleMesh& mesh,
+                     const MeshInterpretation& reading, const MeshBodies& bodies, const std::string& note) {
   std::ostringstream words;
   words.precision(3);
   const Vec3 size = mesh.box().diagonal();
-  words << file.filename().string() << " is taken " << unit.words << " and with " << (yUp ? "y" : "z")
-        << " up: " << size.x() << " x " << size.y() << " x " << size.z() << " cm, " << mesh.triangles().size()
-        << " triangles";
-  if (turned) words << "; it was inside out, and was turned";
+  words << std::filesystem::path(source.file).filename().string() << " is taken " << reading.words << ": "
+        << size.x() << " x " << size.y() << " x " << size.z() << " cm, " << mesh.triangles().size()
+        << " triangles" << bodiesText(bodies);
+  if (!note.empty()) words << "; " << note;
   return words.str();
+}
+
+sim::Result<MeshFile> load(const std::filesystem::path& folder, const MeshSource& source,
+                           const Attendance& attendance) {
+  const std::filesystem::path file = folder / source.file;
+  const std::string ending = endingOf(file);
+  if (const auto status = checkFile(file, ending); !status) return status.problem();
+  auto raw = readMeshApart(file, attendance);
+  if (!raw) return raw.problem();
+  const Eigen::AlignedBox3d box = boxOf(*raw);
+  const Vec3 extent = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.diagonal());
+  const MeshInterpretation reading = interpretationOf(source, *raw, ending, extent);
+  for (Vec3& point : raw->points) point = reading(point);
+  if (const auto status = sim::checkSurface(raw->points, raw->triangles); !status) return status.problem();
+  Surface surface = welded(*raw, extent.maxCoeff() * reading.unit);
+  if (reading.isMirrored())
+    for (auto& triangle : surface.triangles) std::swap(triangle[1], triangle[2]);
+  const MeshBodies bodies = turnOutwards(surface.points, surface.triangles);
+  sim::TriangleMesh mesh(std::move(surface.points), surface.triangles);
+  std::string remark = remarkOn(source, mesh, reading, bodies, raw->note);
+  return MeshFile{std::move(mesh), std::move(remark)};
 }
 
 }  // namespace
@@ -170,21 +155,12 @@ const std::vector<std::string>& meshFileEndings() {
   return kEndings;
 }
 
-sim::Result<MeshFile> loadMesh(const std::filesystem::path& folder, const MeshSource& source) {
-  const std::filesystem::path file = folder / source.file;
-  const std::string ending = endingOf(file);
-  if (auto status = checkFile(file, ending); !status) return status.problem();
-  const auto raw = readMeshApart(file);
-  if (!raw) return raw.problem();
-  const auto size = sizeOf(*raw, file);
-  if (!size) return size.problem();
-  const Unit unit = unitOf(source, *raw, ending, *size);
-  const bool yUp = isYUp(source, *raw, ending);
-  sim::TriangleMesh mesh = welded(*raw, unit.centimetres, yUp, *size);
-  const bool insideOut = mesh.closed() && mesh.volume() < 0.0;
-  if (insideOut) mesh = turnedInsideOut(mesh);
-  std::string remark = remarkOn(file, mesh, unit, yUp, insideOut);
-  return MeshFile{std::move(mesh), std::move(remark)};
+sim::Result<MeshFile> loadMesh(const std::filesystem::path& folder, const MeshSource& source,
+                               const Attendance& attendance) {
+  auto loaded = load(folder, source, attendance);
+  if (loaded.ok()) return loaded;
+  const Problem& problem = loaded.problem();
+  return Problem{problem.place, source.file + ": " + problem.what, problem.remedy};
 }
 
 }  // namespace modeling

@@ -4,30 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "modeling/import/attendance.h"
 #include "modeling/shapes/mesh_shape.h"
 #include "sim/base/result.h"
 #include "sim/collider/triangle_mesh.h"
 
-/// Meshes from other programs: OBJ, PLY, STL, glTF, FBX, Collada, read by assimp.
+/// Meshes from other programs: OBJ, PLY, STL, glTF, FBX, Collada.
 namespace modeling {
 
 /// cm, z up.
 struct MeshFile {
   sim::TriangleMesh mesh;
-  std::string remark;  ///< how its unit and its axes were taken, and what was mended
+  std::string remark;  ///< how its unit and its axes were taken, and what was mended or passed over
 };
 
-/// Larger files are refused before they are read.
-inline constexpr std::uintmax_t kLargestMeshFile = 128U << 20U;  ///< bytes
-inline constexpr std::size_t kMostTriangles = 2'000'000;
-/// How long, s, and with how much memory, bytes, a file may be read.
-inline constexpr unsigned kLongestMeshReading = 60;
-inline constexpr std::size_t kMeshReadingMemory = std::size_t{2} << 30U;
-
-/// All triangles of the file as its nodes have them, corners in one place made one; a closed mesh that is
-/// inside out is turned. The file is read by a process of its own, so that nothing a hostile file does to the
-/// reader does anything to us. A Problem names the file.
-sim::Result<MeshFile> loadMesh(const std::filesystem::path& folder, const MeshSource& source);
+/// All triangles of the file as its nodes have them, corners in one place made one; closed bodies that are
+/// inside out are turned. The file is read by a process of its own (reading_process.h). A Problem has no
+/// place, and names the file as the source does; a mesh that nothing can be made of is one, too
+/// (sim::checkSurface).
+sim::Result<MeshFile> loadMesh(const std::filesystem::path& folder, const MeshSource& source,
+                               const Attendance& attendance = {});
 
 /// The endings of names of files that can be read, with their dots.
 const std::vector<std::string>& meshFileEndings();

@@ -87,15 +87,16 @@ Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& ma
   return conditions;
 }
 
-sim::Result<BuiltScene> build(const Scene& given, const std::filesystem::path& folder) {
+sim::Result<BuiltScene> build(const Scene& given, const std::filesystem::path& folder,
+                              const Attendance& attendance) {
   if (const sim::Status status = checkScene(given); !status) return status.problem();
   BuiltScene built;
   built.scene = given;
   std::vector<std::string> remarks;
-  if (const sim::Status status = readObstacles(built.scene, folder, remarks); !status)
+  if (const sim::Status status = readObstacles(built.scene, folder, remarks, attendance); !status)
     return status.problem();
   const Scene& scene = built.scene;
-  sim::Result<BuiltParts> parts = buildParts(scene, folder);
+  sim::Result<BuiltParts> parts = buildParts(scene, folder, attendance);
   if (!parts) return parts.problem();
   const sim::Result<GlueResult> glued = glue(glueParts(parts->parts), glueSettings(scene, parts->parts));
   if (!glued) return glued.problem();

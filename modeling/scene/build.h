@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "modeling/glue/glue.h"
+#include "modeling/import/attendance.h"
 #include "modeling/scene/scene.h"
 #include "modeling/shapes/quality.h"
 #include "sim/control/track.h"
@@ -41,8 +42,10 @@ struct BuiltScene {
   std::vector<std::string> warnings;  ///< what is allowed, but seldom meant
 };
 
-/// Lattices, placement, glue, materials, network. Files are looked for in `folder`. A Problem's place is a
-/// path of the scene, such as "parts[2].resolution", or FILE:LINE:COLUMN within a network file.
-sim::Result<BuiltScene> build(const Scene& scene, const std::filesystem::path& folder);
+/// Lattices, placement, glue, materials, network. Files are looked for in `folder`; who waits while they are
+/// read is told, and can give up. A Problem's place is a path of the scene, such as "parts[2].resolution", or
+/// FILE:LINE:COLUMN within a network file.
+sim::Result<BuiltScene> build(const Scene& scene, const std::filesystem::path& folder,
+                              const Attendance& attendance = {});
 
 }  // namespace modeling

@@ -26,6 +26,16 @@ Problem within(std::size_t part, const Problem& problem) {
   return {placeOf(part) + key, problem.what, problem.remedy};
 }
 
+/// A scene may have several files: the problem says of which it is.
+Problem ofFile(const std::string& file, const Problem& problem) {
+  return {problem.place, problem.place == "file" ? file + ": " + problem.what : problem.what, problem.remedy};
+}
+
+/// FILE:LINE:COLUMN says enough by itself.
+bool hasLine(const Problem& problem) {
+  return std::count(problem.place.begin(), problem.place.end(), ':') >= 2;
+}
+
 std::vector<std::uint8_t> heldNodes(const std::vector<Box>& regions, const std::vector<Vec3>& nodes) {
   std::vector<std::uint8_t> held(regions.empty() ? 0 : nodes.size(), 0);
   for (const Box& box : regions) {
@@ -75,6 +85,7 @@ std::string remarkOn(const std::string& part, const MeshShape& shape, const Mesh
   words.precision(3);
   words << "the cells of " << inQuotes(part) << " have " << 100.0 * fit.volumeShare
         << " per cent of the mesh's volume and end within " << fit.farthest << " cm of its surface";
+  if (fit.overlap > 0.0) words << " (" << fit.overlap << " cm3 that are inside it more than once count once)";
   if (fit.volumeShare < kMostOfIt)
     words << "; what is thinner than a cell is lost: cells of " << 0.5 * shape.cellSize
           << " cm would hold more";
@@ -82,14 +93,14 @@ std::string remarkOn(const std::string& part, const MeshShape& shape, const Mesh
   if (crossings.triangles > 0)
     words << "; the mesh passes through itself (" << crossings.triangles << " of its faces, the first near ("
           << crossings.first.x() << ", " << crossings.first.y() << ", " << crossings.first.z()
-          << ") cm): what is inside twice is filled once, but counts twice in that share; unite its bodies "
-             "before exporting it";
+          << ") cm); its bodies are filled as one, and fit better when they are united before exporting it";
   return words.str();
 }
 
 class PartBuilder {
  public:
-  PartBuilder(const Scene& scene, const std::filesystem::path& folder) : scene_(scene), folder_(folder) {
+  PartBuilder(const Scene& scene, const std::filesystem::path& folder, const Attendance& attendance)
+      : scene_(scene), folder_(folder), attendance_(attendance) {
     for (const SceneMaterial& material : scene.materials) built_.materials.push_back(material.values);
   }
 
@@ -138,11 +149,11 @@ class PartBuilder {
   }
 
   sim::Status shapeInto(const MeshShape& shape, std::size_t index, AssemblyPart& made) {
-    const auto file = loadMesh(folder_, shape.source());
-    if (!file) return file.problem();
+    const auto file = loadMesh(folder_, shape.source(), attendance_);
+    if (!file) return within(index, {"file", file.problem().what, file.problem().remedy});
     MeshFit fit;
     sim::Result<Lattice> lattice = fillMesh(file->mesh, shape.cellSize, fit);
-    if (!lattice) return within(index, lattice.problem());
+    if (!lattice) return within(index, ofFile(shape.file, lattice.problem()));
     built_.remarks.push_back(file->remark);
     built_.remarks.push_back(remarkOn(made.name, shape, fit));
     made.lattice = std::move(lattice).value();
@@ -154,7 +165,10 @@ class PartBuilder {
   sim::Status shapeInto(const NetworkShape& shape, std::size_t index, AssemblyPart& made) {
     const std::filesystem::path file = folder_ / shape.file;
     sim::Result<LammpsData> data = loadLammpsData(file);
-    if (!data) return data.problem();
+    if (!data)
+      return hasLine(data.problem())
+                 ? data.problem()
+                 : within(index, ofFile(shape.file, {"file", data.problem().what, data.problem().remedy}));
     made.lattice.nodes = std::move(data->positions);
     made.looseMasses = std::move(data->masses);
     if (!data->velocities.empty()) made.looseVelocities = std::move(data->velocities);
@@ -223,6 +237,7 @@ class PartBuilder {
 
   const Scene& scene_;
   const std::filesystem::path& folder_;
+  const Attendance& attendance_;
   BuiltParts built_;
 };
 
@@ -244,8 +259,9 @@ std::size_t partIndex(const Scene& scene, const std::string& name) {
 
 }  // namespace
 
-sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder) {
-  return PartBuilder(scene, folder).run();
+sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder,
+                                   const Attendance& attendance) {
+  return PartBuilder(scene, folder, attendance).run();
 }
 
 std::vector<GlueSettings> glueSettings(const Scene& scene, const std::vector<AssemblyPart>& parts) {

@@ -5,6 +5,7 @@
 
 #include "modeling/assembly/assembly.h"
 #include "modeling/glue/glue.h"
+#include "modeling/import/attendance.h"
 #include "modeling/material/material.h"
 #include "modeling/scene/scene.h"
 #include "sim/base/result.h"
@@ -19,7 +20,9 @@ struct BuiltParts {
   std::vector<std::string> remarks;  ///< how meshes were taken and filled
 };
 
-sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder);
+/// A Problem's place is as build() says.
+sim::Result<BuiltParts> buildParts(const Scene& scene, const std::filesystem::path& folder,
+                                   const Attendance& attendance = {});
 
 /// The parts, and the scene's gluings of them, as glue() takes them.
 std::vector<GluePart> glueParts(const std::vector<AssemblyPart>& parts);

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "modeling/scene/scene_codec.h"
-#include "sim/collider/triangle_mesh.h"
+#include "sim/collider/surface_check.h"
 
 namespace modeling {
 
@@ -46,11 +46,9 @@ bool Codec<ObstacleSurface>::read(JsonReader& reader, const JsonValue& value, Ob
     return reader.fail((*list.array())[i].position, "this triangle names a point that is not there",
                        "count points from 0");
   }
-  auto mesh = std::make_shared<sim::TriangleMesh>(std::move(points), triangles);
-  if (mesh->triangles().empty())
-    return reader.fail(list.position, "there are no triangles",
-                       "give at least one of three different points");
-  out.mesh = std::move(mesh);
+  if (const sim::Status status = sim::checkSurface(points, triangles); !status)
+    return reader.fail(list.position, status.problem().what, status.problem().remedy);
+  out.mesh = std::make_shared<sim::TriangleMesh>(std::move(points), triangles);
   return true;
 }
 

@@ -5,18 +5,20 @@
 namespace modeling {
 
 sim::Status readObstacles(Scene& scene, const std::filesystem::path& folder,
-                          std::vector<std::string>& remarks) {
+                          std::vector<std::string>& remarks, const Attendance& attendance) {
   auto& colliders = scene.environment.colliders;
   for (std::size_t i = 0; i < colliders.size(); ++i) {
     auto* obstacle = std::get_if<MeshObstacle>(&colliders[i].form);
     if (obstacle == nullptr || obstacle->isRead()) continue;
-    auto read = loadMesh(folder, obstacle->source());
-    if (!read) return read.problem();
+    const std::string place = "environment.colliders[" + std::to_string(i) + "].file";
+    auto read = loadMesh(folder, obstacle->source(), attendance);
+    if (!read) return sim::Problem{place, read.problem().what, read.problem().remedy};
     if (read->mesh.triangles().size() > kMostObstacleTriangles) {
-      return sim::Problem{
-          "environment.colliders[" + std::to_string(i) + "].file",
-          "this obstacle has more than " + std::to_string(kMostObstacleTriangles) + " triangles",
-          "use a mesh of fewer faces"};
+      return sim::Problem{place,
+                          obstacle->file + ": an obstacle may have " +
+                              std::to_string(kMostObstacleTriangles) + " triangles, and this has " +
+                              std::to_string(read->mesh.triangles().size()),
+                          "use a mesh of fewer faces"};
     }
     remarks.push_back(read->remark + (read->mesh.closed() ? "; it is closed: a solid obstacle"
                                                           : "; it is open: a sheet as an obstacle"));

@@ -1,5 +1,7 @@
 #include "modeling/scene/scene_file.h"
 
+#include <algorithm>
+
 #include "modeling/scene/scene_codec.h"
 #include "modeling/text/json_path.h"
 #include "modeling/text/json_text.h"
@@ -37,10 +39,12 @@ bool readRoot(JsonReader& reader, const JsonValue& root, Scene& scene) {
 }  // namespace
 
 sim::Problem SceneFile::located(const sim::Problem& problem) const {
-  if (splitPath(problem.place).empty()) return problem;
+  const std::vector<std::string> steps = splitPath(problem.place);
+  const std::vector<std::string> keys = keysOf<Scene>();
+  // The path of a file is no path of the scene.
+  if (steps.empty() || std::find(keys.begin(), keys.end(), steps.front()) == keys.end()) return problem;
   const JsonValue& value = deepestValue(document.root, problem.place);
-  const bool found = &value != &document.root || problem.place.find(':') == std::string::npos;
-  return found ? sim::Problem{document.place(value.position), problem.what, problem.remedy} : problem;
+  return {document.place(value.position), problem.what, problem.remedy};
 }
 
 sim::Result<SceneFile> parseScene(std::string_view text, const std::string& source,

@@ -35,6 +35,9 @@ class Sampler {
     shift_ = grid.cellSize / kSamples * Vec3(0.5 + 1.3e-4, 0.5 - 0.7e-4, 0.5);
   }
 
+  /// Samples that are inside more than once, as often as that is too often.
+  std::uint64_t repeated() const { return repeated_; }
+
   Shares run() {
     for (const auto& triangle : mesh_.triangles()) cross(triangle);
     std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& left, const Crossing& right) {
@@ -87,7 +90,7 @@ class Sampler {
   }
 
   /// Inside is where more surfaces above are left than entered.
-  void fillColumn(std::size_t first, std::size_t last, Shares& shares) const {
+  void fillColumn(std::size_t first, std::size_t last, Shares& shares) {
     int left = 0;
     for (std::size_t i = first; i < last; ++i) left += crossings_[i].turn;
     if (left != 0) return;  // the line ran along an edge; its neighbours decide
@@ -100,6 +103,8 @@ class Sampler {
       if (winding <= 0) continue;
       const auto [from, to] = between(crossings_[i - 1].height, crossings_[i].height, 2);
       for (std::int64_t z = from; z <= to; ++z) ++shares[grid_.index({x, y, static_cast<int>(z / kSamples)})];
+      if (to >= from)
+        repeated_ += static_cast<std::uint64_t>(winding - 1) * static_cast<std::uint64_t>(to - from + 1);
     }
   }
 
@@ -107,6 +112,7 @@ class Sampler {
   const CellGrid& grid_;
   Vec3 shift_;
   std::vector<Crossing> crossings_;
+  std::uint64_t repeated_ = 0;
 };
 
 /// Of the eight cells round a corner, those that can be reached from the first of them by faces, as bits.
@@ -182,7 +188,7 @@ class Mender {
 
 }  // namespace
 
-sim::Result<CellGrid> cellsOf(const sim::TriangleMesh& mesh, double cellSize, std::size_t& added) {
+sim::Result<CellGrid> cellsOf(const sim::TriangleMesh& mesh, double cellSize) {
   const Eigen::AlignedBox3d box = mesh.box();
   CellGrid grid;
   grid.cellSize = cellSize;
@@ -199,15 +205,17 @@ sim::Result<CellGrid> cellsOf(const sim::TriangleMesh& mesh, double cellSize, st
     grid.corner[axis] = box.center()[axis] - 0.5 * along * cellSize;
   }
   grid.filled.assign(static_cast<std::size_t>(cells), 0);
-  const Shares shares = Sampler(mesh, grid).run();
+  Sampler sampler(mesh, grid);
+  const Shares shares = sampler.run();
+  grid.overlap = static_cast<double>(sampler.repeated()) * std::pow(cellSize / kSamples, 3);
   std::size_t count = 0;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     grid.filled[i] = shares[i] >= kHalf ? 1 : 0;
     count += grid.filled[i];
   }
-  added = Mender(shares, grid).run();
-  if (count + added > kMaxLatticeNodes)
-    return sim::Problem{"cellSize", "this would be " + std::to_string(count + added) + " cells",
+  grid.added = Mender(shares, grid).run();
+  if (count + grid.added > kMaxLatticeNodes)
+    return sim::Problem{"cellSize", "this would be " + std::to_string(count + grid.added) + " cells",
                         "use larger cells"};
   return grid;
 }

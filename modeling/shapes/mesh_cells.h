@@ -18,6 +18,9 @@ struct CellGrid {
   double cellSize = 1.0;             ///< cm
   std::array<int, 3> count{};        ///< cells along x, y, z
   std::vector<std::uint8_t> filled;  ///< x innermost
+  std::size_t added = 0;             ///< cells that are only filled so that the others hang together
+  double overlap =
+      0.0;  ///< cm^3, about: what the mesh has inside more than once, as often as it is too often
 
   bool holds(const std::array<int, 3>& cell) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -35,7 +38,7 @@ struct CellGrid {
 
 /// Fills the cells of which the closed mesh holds at least half. Then adds cells, those first of which it
 /// holds most, until at every corner the filled cells hang together by faces, as do the others: so that the
-/// surface of the cells is one sheet everywhere. `added` counts these. The grid has an empty rim.
-sim::Result<CellGrid> cellsOf(const sim::TriangleMesh& mesh, double cellSize, std::size_t& added);
+/// surface of the cells is one sheet everywhere. The grid has an empty rim.
+sim::Result<CellGrid> cellsOf(const sim::TriangleMesh& mesh, double cellSize);
 
 }  // namespace modeling

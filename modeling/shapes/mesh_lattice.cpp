@@ -14,6 +14,7 @@
 #include "modeling/shapes/mesh_cells.h"
 #include "modeling/shapes/mesh_features.h"
 #include "modeling/shapes/quality.h"
+#include "sim/collider/surface_check.h"
 #include "sim/collider/triangle_mesh.h"
 
 namespace modeling {
@@ -352,8 +353,8 @@ std::string numberText(double number) {
 
 /// What is wrong with a mesh that should hold something, and how to mend it.
 sim::Status checkClosed(const sim::TriangleMesh& mesh) {
-  if (mesh.triangles().empty())
-    return sim::Problem{"file", "there are no triangles in this mesh", "export it anew"};
+  if (const sim::Status status = sim::checkSurface(mesh.points(), mesh.triangles()); !status)
+    return sim::Problem{"file", status.problem().what, status.problem().remedy};
   const sim::TriangleMesh::Gaps& gaps = mesh.gaps();
   if (gaps.count() == 0) return sim::Done{};
   std::string what = "this mesh is not closed:";
@@ -376,8 +377,10 @@ sim::Status checkClosed(const sim::TriangleMesh& mesh) {
 
 sim::Result<Lattice> fillMesh(const sim::TriangleMesh& mesh, double cellSize, MeshFit& fit) {
   if (auto status = checkClosed(mesh); !status) return status.problem();
-  auto grid = cellsOf(mesh, cellSize, fit.addedCells);
+  auto grid = cellsOf(mesh, cellSize);
   if (!grid) return grid.problem();
+  fit.addedCells = grid->added;
+  fit.overlap = grid->overlap;
   Lattice lattice = latticeOf(*grid);
   if (lattice.cells.empty()) {
     return sim::Problem{"cellSize", "no cell of this size fits into the mesh, which is thinner everywhere",
@@ -387,7 +390,7 @@ sim::Result<Lattice> fillMesh(const sim::TriangleMesh& mesh, double cellSize, Me
   Fitter fitter(mesh, cellSize, lattice);
   fitter.run();
   fit.farthest = fitter.farthest();
-  fit.volumeShare = measure(lattice).volume / mesh.volume();
+  fit.volumeShare = measure(lattice).volume / (mesh.volume() - fit.overlap);
   const Eigen::AlignedBox3d box = mesh.box();
   const Vec3 size = box.diagonal().cwiseMax(1e-12);
   for (const Vec3& node : lattice.nodes)

@@ -278,6 +278,11 @@ TriangleMesh::Nearest TriangleMesh::nearest(const Vec3& point, std::uint32_t nea
     waiting[count++] = branch.first + (leftFirst ? 1 : 0);
     waiting[count++] = branch.first + (leftFirst ? 0 : 1);
   }
+  // A point that is no number, or so far out that its square is none, is nearest to nothing.
+  if (best.triangle == kNone) {
+    const Vec3& anywhere = points_[triangles_[order_.front()][0]];
+    return {anywhere, Vec3::UnitZ(), (point - anywhere).stableNorm(), order_.front()};
+  }
   Nearest nearest{best.on.point, faceNormals_[best.triangle], std::sqrt(best.squared), best.triangle};
   if (best.on.feature == Feature::edge) nearest.normal = edgeNormals_[best.triangle][best.on.index];
   if (best.on.feature == Feature::corner)

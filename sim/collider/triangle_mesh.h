@@ -20,7 +20,8 @@ class TriangleMesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise seen from outside
 
-  /// Every index must be a point's. Triangles that name a point twice are passed over.
+  /// Every index must be a point's. Triangles that name a point twice are passed over. What a person or a
+  /// file gives is asked of checkSurface() first.
   TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles);
 
   /// What keeps it from enclosing a volume; all zero for a closed surface.
@@ -46,7 +47,8 @@ class TriangleMesh {
     double distance = 0.0;        ///< >= 0
     std::uint32_t triangle = kNone;
   };
-  /// There must be a triangle. From one that is thought to be `near` it is found sooner; it is the same.
+  /// There must be a triangle. From one that is thought to be `near` it is found sooner; it is the same. Of a
+  /// point that is no number, or too far away to square its distance, any triangle is the nearest.
   Nearest nearest(const Vec3& point, std::uint32_t near = kNone) const;
   /// Of a closed surface: negative inside.
   double signedDistance(const Vec3& point) const;

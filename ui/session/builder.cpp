@@ -5,8 +5,9 @@
 namespace ui {
 namespace {
 
-sim::Status buildInto(const std::filesystem::path& folder, Preview& preview) {
-  sim::Result<modeling::BuiltScene> built = modeling::build(preview.scene, folder);
+sim::Status buildInto(const std::filesystem::path& folder, const modeling::Attendance& attendance,
+                      Preview& preview) {
+  sim::Result<modeling::BuiltScene> built = modeling::build(preview.scene, folder, attendance);
   if (!built) return built.problem();
   preview.rest = std::make_shared<const sim::Snapshot>(sim::momentAtRest(built->network));
   preview.scene = built->scene;  // obstacles can be drawn now
@@ -17,12 +18,20 @@ sim::Status buildInto(const std::filesystem::path& folder, Preview& preview) {
 }  // namespace
 
 Builder::Builder()
-    : worker_([](const Request& request, auto& job) -> sim::Status {
+    : worker_([talk = talk_](const Request& request, auto& job) -> sim::Status {
         Preview& preview = job.value;
         preview.scene = request.scene;
         if (request.scene.parts.empty()) return sim::Done{};
-        const sim::Status built = guarded([&] { return buildInto(request.folder, preview); });
+        const auto say = [&](const std::string& words) {
+          const std::lock_guard lock(talk->mutex);
+          talk->waitingFor = words;
+        };
+        talk->givenUp = false;
+        const modeling::Attendance attendance{say, [&] { return job.cancelled() || talk->givenUp; }};
+        const sim::Status built = guarded([&] { return buildInto(request.folder, attendance, preview); });
+        say("");
         if (!built) preview.problem = built.problem();
+        preview.isAbandoned = !built && job.cancelled();
         return built;
       }) {}
 
@@ -32,7 +41,17 @@ void Builder::request(const modeling::Scene& scene, const std::filesystem::path&
 
 std::shared_ptr<const Preview> Builder::newest() const {
   const auto answer = worker_.newest();
-  return {answer, &answer->value};
+  if (!answer->value.isAbandoned) kept_ = {answer, &answer->value};
+  return kept_;
+}
+
+std::string Builder::waitingFor() const {
+  const std::lock_guard lock(talk_->mutex);
+  return talk_->waitingFor;
+}
+
+void Builder::giveUp() {
+  talk_->givenUp = true;
 }
 
 }  // namespace ui

@@ -7,15 +7,16 @@ namespace {
 
 using modeling::Recording;
 
-sim::Result<std::shared_ptr<const modeling::BuiltScene>> builtOf(const RunPlan& plan) {
+sim::Result<std::shared_ptr<const modeling::BuiltScene>> builtOf(const RunPlan& plan,
+                                                                 const std::function<bool()>& cancelled) {
   if (plan.built) return plan.built;
-  sim::Result<modeling::BuiltScene> made = modeling::build(plan.scene, plan.folder);
+  sim::Result<modeling::BuiltScene> made = modeling::build(plan.scene, plan.folder, {{}, cancelled});
   if (!made) return made.problem();
   return std::make_shared<const modeling::BuiltScene>(std::move(made).value());
 }
 
-sim::Result<StartedRun> startFresh(const RunPlan& plan) {
-  const auto found = builtOf(plan);
+sim::Result<StartedRun> startFresh(const RunPlan& plan, const std::function<bool()>& cancelled) {
+  const auto found = builtOf(plan, cancelled);
   if (!found) return found.problem();
   const std::shared_ptr<const modeling::BuiltScene>& built = *found;
   modeling::Conditions conditions = built->conditions;
@@ -74,7 +75,7 @@ sim::Result<StartedRun> startContinued(const RunPlan& plan, const std::function<
 }  // namespace
 
 sim::Result<StartedRun> startRun(const RunPlan& plan, const std::function<bool()>& cancelled) {
-  return plan.continuation ? startContinued(plan, cancelled) : startFresh(plan);
+  return plan.continuation ? startContinued(plan, cancelled) : startFresh(plan, cancelled);
 }
 
 }  // namespace ui

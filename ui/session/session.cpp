@@ -48,6 +48,7 @@ void Session::replace() {
 }
 
 void Session::tick() {
+  followWaiting();
   followPreview();
   if (run_.poll()) followView();
   playback_.tick(!frameAsked_);
@@ -62,6 +63,13 @@ void Session::followPreview() {
   emit previewChanged();
   // Who edits what the lattice is made of wants to see it, not a frame of a take that is out of date.
   if (!shown_.recorded || (moves && !hasRun())) showEdited();
+}
+
+void Session::followWaiting() {
+  std::string words = builder_.waitingFor();
+  if (words == waitingFor_) return;
+  waitingFor_ = std::move(words);
+  emit waitingChanged();
 }
 
 void Session::followView() {

@@ -37,6 +37,10 @@ class Session : public QObject {
   /// The scene as built last; never null. Older than the scene while isBuilding().
   const std::shared_ptr<const Preview>& preview() const { return preview_; }
   bool isBuilding() const { return builder_.isBusy(); }
+  /// What building takes long for, such as "reading cup.fbx, 3 s"; empty: nothing.
+  const std::string& waitingFor() const { return waitingFor_; }
+  /// Reads no file any longer: what is being built ends with a Problem.
+  void giveUpReading() { builder_.giveUp(); }
   /// The run as it was told last; never null.
   const std::shared_ptr<const RunView>& run() const { return run_.view(); }
   /// It runs, or is about to.
@@ -78,6 +82,7 @@ class Session : public QObject {
 
  signals:
   void previewChanged();
+  void waitingChanged();
   void runChanged();
   void shownChanged();
   void problemFound(const sim::Problem& problem);
@@ -87,6 +92,7 @@ class Session : public QObject {
   void replace();
   void tick();
   void followPreview();
+  void followWaiting();
   void followView();
   void recordPerformed();
   void showCurrentTake();
@@ -100,6 +106,7 @@ class Session : public QObject {
   Playback playback_;
   TakeList takes_;
   std::shared_ptr<const Preview> preview_;
+  std::string waitingFor_;
   Shown shown_;
   bool following_ = false;
   bool recording_ = true;

@@ -39,6 +39,13 @@ bool canDrop(const std::filesystem::path& file) {
   return FileActions::canOpen(file) || AddActions::isMesh(file);
 }
 
+/// A file that takes long can be given up here.
+QString buildingText(const Session& session) {
+  const QString words = QString::fromStdString(session.waitingFor()).toHtmlEscaped();
+  if (words.isEmpty()) return MainWindow::tr("Building");
+  return MainWindow::tr("%1 <a href=\"giveUp\">Give Up</a>").arg(words);
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
@@ -58,6 +65,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   connect(actions_.files, &FileActions::opened, this, &MainWindow::showViewport);
   connect(&session_.document(), &Document::statusChanged, this, &MainWindow::showTitle);
   connect(&session_, &Session::runChanged, this, &MainWindow::showRun);
+  connect(&session_, &Session::waitingChanged, this, &MainWindow::showRun);
   connect(&session_, &Session::previewChanged, this, &MainWindow::showPreviewProblem);
   connect(&session_, &Session::problemFound, this, &MainWindow::showProblem);
   viewport_->setViewSettings(recallView());
@@ -120,6 +128,8 @@ void MainWindow::makeStatusBar() {
   hint->setForegroundRole(QPalette::PlaceholderText);
   hint->setIndent(6);
   state_ = new QLabel(this);
+  state_->setObjectName(QStringLiteral("building"));
+  connect(state_, &QLabel::linkActivated, this, [this] { session_.giveUpReading(); });
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(hint, 1);
   statusBar()->addPermanentWidget(state_);
@@ -177,7 +187,7 @@ void MainWindow::showTitle() {
 /// How far a run is, is said beside the timeline.
 void MainWindow::showRun() {
   const std::shared_ptr<const RunView>& run = session_.run();
-  state_->setText(session_.isBuilding() && !session_.hasRun() ? tr("Building") : QString());
+  state_->setText(session_.isBuilding() && !session_.hasRun() ? buildingText(session_) : QString());
   if (session_.hasRun() && run->phase == RunPhase::paused && run->problem) showProblem(*run->problem);
 }
 
