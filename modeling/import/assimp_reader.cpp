@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <new>
+#include <optional>
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -35,7 +36,7 @@ std::string oneShortLine(std::string text) {
 
 class AssimpScene {
  public:
-  AssimpScene(const aiScene& scene, bool shapeKeysAreOn) : scene_(scene), shapeKeysAreOn_(shapeKeysAreOn) {}
+  AssimpScene(const aiScene& scene, const ShapeKeys& shapeKeys) : scene_(scene), shapeKeys_(shapeKeys) {}
 
   Reading run() {
     findPlaces();
@@ -67,12 +68,16 @@ class AssimpScene {
     if (raw_.points.size() + mesh.mNumVertices > 3 * kMostTriangles)
       return Problem{"", "it has more than " + std::to_string(kMostTriangles) + " triangles",
                      "use a mesh of fewer faces"};
+    const auto weights = weightsOf(mesh);
+    if (!weights)
+      return Problem{"", "it has shape keys, and how far each is on can't be told in this format",
+                     "apply its shape keys before exporting it, or export it as glTF"};
     const std::vector<aiMatrix4x4> places = placesOf(mesh, worldFromNode);
     double determinant = worldFromNode.Determinant();
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       const aiMatrix4x4& place = places.empty() ? worldFromNode : places[v];
       if (v == 0) determinant = place.Determinant();
-      raw_.points.push_back(vectorOf(place * shapedPoint(mesh, v)));
+      raw_.points.push_back(vectorOf(place * shapedPoint(mesh, *weights, v)));
     }
     const std::size_t before = raw_.triangles.size();
     if (const Status status = addFaces(mesh, first); !status) return status;
@@ -82,12 +87,20 @@ class AssimpScene {
     return sim::Done{};
   }
 
-  aiVector3D shapedPoint(const aiMesh& mesh, unsigned vertex) const {
+  /// How far each of its shape keys is on; nothing where that can't be told.
+  std::optional<std::vector<double>> weightsOf(const aiMesh& mesh) const {
+    std::vector<ShapeKeys::Key> keys;
+    for (unsigned k = 0; k < mesh.mNumAnimMeshes; ++k)
+      keys.push_back({mesh.mAnimMeshes[k]->mName.C_Str(), static_cast<double>(mesh.mAnimMeshes[k]->mWeight)});
+    return keys.empty() ? std::vector<double>() : shapeKeys_.weightsOf(keys);
+  }
+
+  static aiVector3D shapedPoint(const aiMesh& mesh, const std::vector<double>& weights, unsigned vertex) {
     aiVector3D point = mesh.mVertices[vertex];
-    for (unsigned k = 0; shapeKeysAreOn_ && k < mesh.mNumAnimMeshes; ++k) {
+    for (unsigned k = 0; k < weights.size(); ++k) {
       const aiAnimMesh& key = *mesh.mAnimMeshes[k];
       if (key.mVertices != nullptr && vertex < key.mNumVertices)
-        point += key.mWeight * (key.mVertices[vertex] - mesh.mVertices[vertex]);
+        point += static_cast<float>(weights[k]) * (key.mVertices[vertex] - mesh.mVertices[vertex]);
     }
     return point;
   }
@@ -133,7 +146,7 @@ class AssimpScene {
   }
 
   const aiScene& scene_;
-  bool shapeKeysAreOn_;
+  const ShapeKeys& shapeKeys_;
   RawMesh raw_;
   std::vector<std::pair<const aiNode*, aiMatrix4x4>> nodes_;
   std::map<std::string, aiMatrix4x4> places_;
@@ -191,10 +204,7 @@ void addColladaStatements(const aiScene& scene, std::string_view text, RawMesh& 
 
 Reading readByAssimp(const std::filesystem::path& file, std::string_view bytes, std::string_view ending) {
   const bool isFbx = ending == ".fbx";
-  const ShapeKeys keys = isFbx ? shapeKeysOfFbx(bytes) : shapeKeysOfCollada(bytes);
-  if (keys.someAreOn && (isFbx || keys.someAreOff))
-    return Problem{"", "its shape keys are on, and how far each is on can't be told in this format",
-                   "apply its shape keys before exporting it, or export it as glTF"};
+  const ShapeKeys keys = isFbx ? ShapeKeys::ofFbx(bytes) : ShapeKeys::ofCollada(bytes);
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -205,7 +215,7 @@ Reading readByAssimp(const std::filesystem::path& file, std::string_view bytes, 
     return Problem{
         "", "this mesh cannot be read: " + (error.empty() ? "it holds nothing" : oneShortLine(error)), kAnew};
   }
-  Reading raw = AssimpScene(*scene, keys.someAreOn).run();
+  Reading raw = AssimpScene(*scene, keys).run();
   if (!raw) return raw;
   if (isFbx) addFbxStatements(*scene, *raw);
   if (!isFbx) addColladaStatements(*scene, bytes, *raw);

@@ -1,6 +1,7 @@
 #include "modeling/import/mesh_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -65,6 +66,10 @@ Surface welded(const RawMesh& raw, double size) {
   return surface;
 }
 
+/// Endings of archives and of files that are packed.
+constexpr std::array<std::string_view, 11> kPacked{".gz",  ".tgz", ".zip", ".7z",  ".bz2", ".xz",
+                                                   ".zst", ".rar", ".tar", ".zae", ".lz4"};
+
 const Problem kUnreadable{"", "cannot read this file", "look at its name and place"};
 
 sim::Status checkFile(const std::filesystem::path& file, const std::string& ending) {
@@ -74,7 +79,8 @@ sim::Status checkFile(const std::filesystem::path& file, const std::string& endi
   };
   std::error_code error;
   if (!isKnown(ending)) {
-    if (isKnown(endingOf(file.stem())) && std::filesystem::exists(file, error))
+    if (std::find(kPacked.begin(), kPacked.end(), ending) != kPacked.end() &&
+        std::filesystem::exists(file, error))
       return Problem{"", "this file is packed (" + ending + ")", "unpack it first"};
     std::string known;
     for (const std::string& name : endings) known += (known.empty() ? "" : ", ") + name;
@@ -103,14 +109,18 @@ std::string bodiesText(const MeshBodies& bodies) {
   if (bodies.turned > 0 && bodies.turned == bodies.closed) {
     words = "; it was inside out, and was turned";
   } else if (bodies.turned > 0) {
-    words = "; " + std::to_string(bodies.turned) + " of its " + std::to_string(bodies.closed) +
-            " bodies were inside out, and were turned";
+    words = "; " + std::to_string(bodies.turned) + " of its " + std::to_string(bodies.closed) + " bodies " +
+            (bodies.turned == 1 ? "was inside out, and was turned" : "were inside out, and were turned");
   }
   if (bodies.filled > 0) {
-    words += "; " + std::to_string(bodies.filled) +
-             " closed bodies lie within another and face the same way, so that they are filled (to make it "
-             "hollow, "
-             "flip their normals)";
+    const bool isOne = bodies.filled == 1;
+    words += isOne ? "; a closed body lies within another and faces the same way, so that it is filled (to "
+                     "make it hollow, "
+                     "flip its normals)"
+                   : "; " + std::to_string(bodies.filled) +
+                         " closed bodies lie within others and face the same way, so that they are filled "
+                         "(to make it "
+                         "hollow, flip their normals)";
   }
   return words;
 }

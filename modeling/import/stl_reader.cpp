@@ -67,6 +67,8 @@ Reading readBinary(std::string_view bytes) {
   return raw;
 }
 
+const Problem kCut{"", "this file is cut short: it ends within a triangle", "copy or export it anew"};
+
 class StlText {
  public:
   Reading run(std::string_view text) {
@@ -74,12 +76,12 @@ class StlText {
     while (lines.next()) {
       std::string_view rest = lines.line();
       for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest)) {
-        if (const Status status = take(inLowerCase(word), rest, lines.place()); !status)
-          return status.problem();
+        const Status status = take(inLowerCase(word), rest, lines.place());
+        // What is wrong with the last line is that it is not all there.
+        if (!status) return lines.rest().empty() ? kCut : status.problem();
       }
     }
-    if (isOpen_)
-      return Problem{"", "this file is cut short: it ends within a triangle", "copy or export it anew"};
+    if (isOpen_) return kCut;
     return std::move(raw_);
   }
 

@@ -26,11 +26,6 @@ Problem within(std::size_t part, const Problem& problem) {
   return {placeOf(part) + key, problem.what, problem.remedy};
 }
 
-/// A scene may have several files: the problem says of which it is.
-Problem ofFile(const std::string& file, const Problem& problem) {
-  return {problem.place, problem.place == "file" ? file + ": " + problem.what : problem.what, problem.remedy};
-}
-
 /// FILE:LINE:COLUMN says enough by itself.
 bool hasLine(const Problem& problem) {
   return std::count(problem.place.begin(), problem.place.end(), ':') >= 2;
@@ -85,7 +80,7 @@ std::string remarkOn(const std::string& part, const MeshShape& shape, const Mesh
   words.precision(3);
   words << "the cells of " << inQuotes(part) << " have " << 100.0 * fit.volumeShare
         << " per cent of the mesh's volume and end within " << fit.farthest << " cm of its surface";
-  if (fit.overlap > 0.0) words << " (" << fit.overlap << " cm3 that are inside it more than once count once)";
+  if (fit.onceShare < 1.0) words << ", what is inside it more than once counted once";
   if (fit.volumeShare < kMostOfIt)
     words << "; what is thinner than a cell is lost: cells of " << 0.5 * shape.cellSize
           << " cm would hold more";
@@ -153,7 +148,10 @@ class PartBuilder {
     if (!file) return within(index, {"file", file.problem().what, file.problem().remedy});
     MeshFit fit;
     sim::Result<Lattice> lattice = fillMesh(file->mesh, shape.cellSize, fit);
-    if (!lattice) return within(index, ofFile(shape.file, lattice.problem()));
+    // How the file was taken may be what is wrong.
+    if (!lattice)
+      return within(index, {lattice.problem().place, lattice.problem().what + " (" + file->remark + ")",
+                            lattice.problem().remedy});
     built_.remarks.push_back(file->remark);
     built_.remarks.push_back(remarkOn(made.name, shape, fit));
     made.lattice = std::move(lattice).value();
@@ -168,7 +166,7 @@ class PartBuilder {
     if (!data)
       return hasLine(data.problem())
                  ? data.problem()
-                 : within(index, ofFile(shape.file, {"file", data.problem().what, data.problem().remedy}));
+                 : within(index, {"file", shape.file + ": " + data.problem().what, data.problem().remedy});
     made.lattice.nodes = std::move(data->positions);
     made.looseMasses = std::move(data->masses);
     if (!data->velocities.empty()) made.looseVelocities = std::move(data->velocities);

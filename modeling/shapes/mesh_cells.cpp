@@ -35,8 +35,8 @@ class Sampler {
     shift_ = grid.cellSize / kSamples * Vec3(0.5 + 1.3e-4, 0.5 - 0.7e-4, 0.5);
   }
 
-  /// Samples that are inside more than once, as often as that is too often.
-  std::uint64_t repeated() const { return repeated_; }
+  /// See CellGrid.
+  double onceShare() const { return often_ > 0.0 ? once_ / often_ : 1.0; }
 
   Shares run() {
     for (const auto& triangle : mesh_.triangles()) cross(triangle);
@@ -103,8 +103,9 @@ class Sampler {
       if (winding <= 0) continue;
       const auto [from, to] = between(crossings_[i - 1].height, crossings_[i].height, 2);
       for (std::int64_t z = from; z <= to; ++z) ++shares[grid_.index({x, y, static_cast<int>(z / kSamples)})];
-      if (to >= from)
-        repeated_ += static_cast<std::uint64_t>(winding - 1) * static_cast<std::uint64_t>(to - from + 1);
+      const double height = crossings_[i].height - crossings_[i - 1].height;
+      once_ += height;
+      often_ += winding * height;
     }
   }
 
@@ -112,7 +113,7 @@ class Sampler {
   const CellGrid& grid_;
   Vec3 shift_;
   std::vector<Crossing> crossings_;
-  std::uint64_t repeated_ = 0;
+  double once_ = 0.0, often_ = 0.0;  ///< cm: of all lines, what is inside, and that times how often
 };
 
 /// Of the eight cells round a corner, those that can be reached from the first of them by faces, as bits.
@@ -207,7 +208,7 @@ sim::Result<CellGrid> cellsOf(const sim::TriangleMesh& mesh, double cellSize) {
   grid.filled.assign(static_cast<std::size_t>(cells), 0);
   Sampler sampler(mesh, grid);
   const Shares shares = sampler.run();
-  grid.overlap = static_cast<double>(sampler.repeated()) * std::pow(cellSize / kSamples, 3);
+  grid.onceShare = sampler.onceShare();
   std::size_t count = 0;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     grid.filled[i] = shares[i] >= kHalf ? 1 : 0;

@@ -19,8 +19,9 @@ struct CellGrid {
   std::array<int, 3> count{};        ///< cells along x, y, z
   std::vector<std::uint8_t> filled;  ///< x innermost
   std::size_t added = 0;             ///< cells that are only filled so that the others hang together
-  double overlap =
-      0.0;  ///< cm^3, about: what the mesh has inside more than once, as often as it is too often
+  /// What the mesh has inside, over the same counted as often as it is inside; 1 where nothing is twice. By
+  /// sampling.
+  double onceShare = 1.0;
 
   bool holds(const std::array<int, 3>& cell) const {
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -380,7 +380,7 @@ sim::Result<Lattice> fillMesh(const sim::TriangleMesh& mesh, double cellSize, Me
   auto grid = cellsOf(mesh, cellSize);
   if (!grid) return grid.problem();
   fit.addedCells = grid->added;
-  fit.overlap = grid->overlap;
+  fit.onceShare = grid->onceShare;
   Lattice lattice = latticeOf(*grid);
   if (lattice.cells.empty()) {
     return sim::Problem{"cellSize", "no cell of this size fits into the mesh, which is thinner everywhere",
@@ -390,7 +390,7 @@ sim::Result<Lattice> fillMesh(const sim::TriangleMesh& mesh, double cellSize, Me
   Fitter fitter(mesh, cellSize, lattice);
   fitter.run();
   fit.farthest = fitter.farthest();
-  fit.volumeShare = measure(lattice).volume / (mesh.volume() - fit.overlap);
+  fit.volumeShare = measure(lattice).volume / (mesh.volume() * fit.onceShare);
   const Eigen::AlignedBox3d box = mesh.box();
   const Vec3 size = box.diagonal().cwiseMax(1e-12);
   for (const Vec3& node : lattice.nodes)

@@ -15,7 +15,7 @@ namespace modeling {
 /// How well a lattice fills a mesh.
 struct MeshFit {
   double volumeShare = 0.0;  ///< volume of the cells over that of the mesh, counted once where bodies overlap
-  double overlap = 0.0;      ///< cm^3, about: inside the mesh more than once
+  double onceShare = 1.0;    ///< below 1: the mesh has something inside more than once (CellGrid)
   double farthest = 0.0;     ///< cm: of the lattice's outer nodes from the mesh
   std::size_t addedCells = 0;    ///< where the lattice would have hung together by an edge or a corner only
   sim::MeshCrossings crossings;  ///< of the mesh with itself

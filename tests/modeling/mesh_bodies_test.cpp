@@ -85,7 +85,7 @@ TEST_CASE("an STL of which one body is mirrored is right") {
   const auto file = tests::meshOf("a.stl", tests::stlBytes(pair));
   REQUIRE(file.ok());
   CHECK(file->mesh.volume() == Approx(2.0 * 48.0).epsilon(1e-5));
-  CHECK_THAT(file->remark, Contains("1 of its 2 bodies were inside out"));
+  CHECK_THAT(file->remark, Contains("1 of its 2 bodies was inside out"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "modeling/scene/scene_file.h"
 #include "tests/fuzz/text_cuts.h"
 #include "tests/sim/take_sample.h"
+#include "tests/support/mesh_writers.h"
 #include "tests/support/meshes.h"
 
 /// Meshes of other programs: written by assimp, read by us.
@@ -128,15 +129,14 @@ TEST_CASE("what is no mesh is a problem that names the file") {
     if (!text.empty()) std::ofstream(scratch.file(name)) << text;
     const auto file = modeling::loadMesh(folderOf(scratch), {name, MeshUnit::guess, MeshUp::guess});
     REQUIRE_FALSE(file.ok());
-    CHECK_THAT(file.problem().place, Catch::Contains(name));
+    CHECK_THAT(file.problem().what, Catch::StartsWith(name + ": "));
     return file.problem().line();
   };
   CHECK_THAT(lineOf("absent.obj", ""), Catch::Contains("cannot read this file"));
   CHECK_THAT(lineOf("picture.png", "x"), Catch::Contains("no format"));
-  CHECK_THAT(lineOf("words.obj", "these are words\n"), Catch::Contains("mesh") || Catch::Contains("faces"));
-  CHECK_THAT(lineOf("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"),
-             Catch::Contains("mesh") || Catch::Contains("faces"));
-  CHECK_THAT(lineOf("far.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"), Catch::Contains("nowhere"));
+  CHECK_THAT(lineOf("words.obj", "these are words\n"), Catch::Contains("no OBJ"));
+  CHECK_THAT(lineOf("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), Catch::Contains("no faces"));
+  CHECK_THAT(lineOf("far.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"), Catch::Contains("ten kilometres"));
 }
 
 std::string textOf(const std::filesystem::path& path) {
@@ -159,7 +159,7 @@ TEST_CASE("a damaged mesh is a problem or a mesh, never a crash, whatever the re
         continue;
       }
       ++problems;
-      CHECK_THAT(file.problem().place, Catch::Contains(format.file));
+      CHECK_THAT(file.problem().what, Catch::StartsWith(std::string(format.file) + ": "));
       CHECK(file.problem().line().size() < 600);
     }
     INFO(format.id);
@@ -225,6 +225,78 @@ TEST_CASE("a scene's mesh becomes a part, and one with a hole is refused by its 
   REQUIRE_FALSE(holed.ok());
   CHECK(holed.problem().place == "parts[0].file");
   CHECK_THAT(holed.problem().what, Catch::Contains("not closed"));
+}
+
+TEST_CASE("what is wrong with a mesh is said where the scene names it, with its name") {
+  const tests::ScratchFolder scratch;
+  write(tests::ballMesh(3.0, 12), kFormats[0], scratch);
+  std::ofstream(scratch.file("nan.obj")) << "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::ofstream(scratch.file("flat.obj")) << "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 1 1\nf 1 2 2\n";
+  const auto lineOf = [&](const std::string& part, const std::string& obstacle) {
+    const auto file = modeling::parseScene(R"({"smithereens": 1, "materials": {"m": {}},
+"parts": [{"name": "a", "kind": "mesh", "material": "m",
+"file": "box.obj"}, {"name": "b", "kind": "mesh", "material": "m",
+"file": ")" + part + R"("}],
+"environment": {"colliders": [{"name": "o", "kind": "mesh",
+"file": ")" + obstacle + R"("}]}})",
+                                           "table.scene.json");
+    REQUIRE(file.ok());
+    const auto built = modeling::build(file->scene, folderOf(scratch));
+    REQUIRE_FALSE(built.ok());
+    return file->located(built.problem()).line();
+  };
+  using Catch::StartsWith;
+  CHECK_THAT(lineOf("gone.obj", "box.obj"),
+             StartsWith("table.scene.json:4:9: gone.obj: cannot read this file"));
+  CHECK_THAT(lineOf("nan.obj", "box.obj"), StartsWith("table.scene.json:4:9: nan.obj: a corner"));
+  CHECK_THAT(lineOf("../gone/parts", "box.obj"), StartsWith("table.scene.json:4:9: ../gone/parts: "));
+  CHECK_THAT(lineOf("box.obj", "gone.obj"), StartsWith("table.scene.json:6:9: gone.obj: cannot"));
+  CHECK_THAT(lineOf("box.obj", "flat.obj"),
+             StartsWith("table.scene.json:6:9: flat.obj: ") && Catch::Contains("has an area"));
+}
+
+TEST_CASE("an obstacle whose triangles stand in the scene is refused like one of a file") {
+  const auto problemOf = [](const std::string& surface) {
+    const auto file =
+        modeling::parseScene(R"({"smithereens": 1, "materials": {"m": {}}, "parts": [{"name": "a",
+"kind": "slab", "material": "m", "size": [1, 1, 1]}], "environment": {"colliders": [{"name": "b", "kind": "mesh",
+"surface": )" + surface + "}]}}",
+                             "scene");
+    return file.ok() ? std::string() : file.problem().line();
+  };
+  CHECK(problemOf(R"({"points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]]})").empty());
+  CHECK_THAT(problemOf(R"({"points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": []})"),
+             Catch::StartsWith("scene:3:") && Catch::Contains("no triangles"));
+  CHECK_THAT(
+      problemOf(R"({"points": [[0, 0, 0], [1, 0, 0], [2, 0, 0]], "triangles": [[0, 1, 2], [0, 0, 1]]})"),
+      Catch::StartsWith("scene:3:") && Catch::Contains("has an area"));
+  CHECK_THAT(problemOf(R"({"points": [[0, 0, 0], [1e308, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]]})"),
+             Catch::StartsWith("scene:3:") && Catch::Contains("ten kilometres"));
+}
+
+TEST_CASE("bodies within and through each other are counted once, and no smaller cells are advised") {
+  const tests::ScratchFolder scratch;
+  const auto noteFor = [&](const sim::TriangleMesh& mesh) {
+    std::ofstream(scratch.file("a.obj")) << tests::objText(mesh);
+    const auto file =
+        modeling::parseScene(R"({"smithereens": 1, "materials": {"m": {}}, "parts": [{"name": "a",
+"kind": "mesh", "material": "m", "file": "a.obj", "cellSize": 0.5}]})",
+                             "scene");
+    const auto built = modeling::build(file->scene, folderOf(scratch));
+    REQUIRE(built.ok());
+    REQUIRE(built->warnings.size() >= 2);
+    return built->warnings[0] + "\n" + built->warnings[1];
+  };
+  const sim::TriangleMesh box = tests::boxMesh(Vec3::Constant(4.0));
+  const std::string nested = noteFor(tests::together(box, tests::boxMesh(Vec3::Constant(2.5))));
+  CHECK_THAT(nested, Catch::Contains("lies within another") && Catch::Contains("100 per cent") &&
+                         Catch::Contains("counted once") && !Catch::Contains("would hold more"));
+  const std::string stuck = noteFor(tests::together(box, tests::moved(box, Vec3(3.0, 3.0, 3.0))));
+  CHECK_THAT(stuck, Catch::Contains("passes through itself") && !Catch::Contains("would hold more") &&
+                        !Catch::Contains("lies within"));
+  const std::string hollow =
+      noteFor(tests::together(box, tests::insideOut(tests::boxMesh(Vec3::Constant(2.5)))));
+  CHECK_THAT(hollow, !Catch::Contains("within another") && !Catch::Contains("counted once"));
 }
 
 }  // namespace

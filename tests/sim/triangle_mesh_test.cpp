@@ -1,9 +1,12 @@
 #include "sim/collider/triangle_mesh.h"
 
+#include <limits>
+
 #include <catch2/catch.hpp>
 
 #include "sim/base/random.h"
 #include "sim/collider/collider.h"
+#include "sim/collider/surface_check.h"
 #include "tests/support/meshes.h"
 #include "tests/support/spring_network.h"
 
@@ -123,6 +126,52 @@ TEST_CASE("nothing leaks through a ball of triangles or the rim of a sheet, wher
     CHECK(fall->snapshot().positions[0].z() > 0.0);
     CHECK(fall->snapshot().velocities[0].z() > 0.0);
   }
+}
+
+TEST_CASE("whatever point is asked for, something on the surface is the nearest") {
+  const TriangleMesh box = tests::boxMesh(Vec3(1.0, 2.0, 1.5));
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kMost = std::numeric_limits<double>::max();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  for (const double odd : {kNone, kMost, -kMost, kInfinite, 1e200}) {
+    for (const Vec3& point : {Vec3(odd, 0.0, 0.0), Vec3(odd, odd, odd), Vec3(0.0, 1.0, odd)}) {
+      const auto there = box.nearest(point);
+      CHECK(there.triangle < box.triangles().size());
+      CHECK(there.point.allFinite());
+    }
+  }
+}
+
+TEST_CASE("a surface that nothing can touch or fill is no surface, and the reason is said") {
+  using Triangles = std::vector<TriangleMesh::Triangle>;
+  const auto reason = [](const std::vector<Vec3>& points, const Triangles& triangles) {
+    const sim::Status status = sim::checkSurface(points, triangles);
+    return status.ok() ? std::string() : status.problem().what;
+  };
+  const TriangleMesh ball = tests::ballMesh(2.0, 8);
+  CHECK(reason(ball.points(), ball.triangles()).empty());
+  CHECK_THAT(reason(ball.points(), {}), Catch::Contains("no triangles"));
+  CHECK_THAT(reason({Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX()}, {{0, 1, 2}}),
+             Catch::Contains("has an area"));
+  CHECK_THAT(reason({Vec3::Zero(), Vec3::UnitX()}, {{0, 1, 1}}), Catch::Contains("has an area"));
+  // A stray corner, as a number that cannot be, far beyond anything, or far from all others.
+  const auto stray = [&](double along) {
+    std::vector<Vec3> points = ball.points();
+    points.back() = Vec3(0.0, along, 0.0);
+    return reason(points, ball.triangles());
+  };
+  CHECK_THAT(stray(std::numeric_limits<double>::quiet_NaN()), Catch::Contains("is no number"));
+  CHECK_THAT(stray(1e308), Catch::Contains("further than ten kilometres"));
+  CHECK_THAT(stray(-2e6), Catch::Contains("further than ten kilometres"));
+  CHECK_THAT(stray(5e4), Catch::Contains("a thousand times as far"));
+  CHECK(stray(100.0).empty());
+  // A floor with a small thing on it has no stray.
+  const TriangleMesh floor = tests::sheetMesh(1e4);
+  std::vector<Vec3> points = floor.points();
+  Triangles triangles = floor.triangles();
+  points.insert(points.end(), ball.points().begin(), ball.points().end());
+  for (const auto& t : ball.triangles()) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+  CHECK(reason(points, triangles).empty());
 }
 
 }  // namespace
