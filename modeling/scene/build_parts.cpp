@@ -155,6 +155,7 @@ class PartBuilder {
     const std::filesystem::path file = folder_ / shape.file;
     sim::Result<LammpsData> data = loadLammpsData(file);
     if (!data) return data.problem();
+    for (const std::string& note : data->notes) built_.remarks.push_back(inQuotes(made.name) + ": " + note);
     made.lattice.nodes = std::move(data->positions);
     made.looseMasses = std::move(data->masses);
     if (!data->velocities.empty()) made.looseVelocities = std::move(data->velocities);
