@@ -45,8 +45,8 @@ double largestContact(const LammpsModel& model) {
 }
 
 void addAtoms(const LammpsModel& model, const std::string& name, LammpsText& script) {
-  const double longest =
-      std::max(2.0 * model.longestBond, model.breaks() ? 1.2 * model.breakLengths.back() : 0.0);
+  // Bonds that are twice as long as at rest, and some way more until lists are made anew.
+  const double furthest = std::max(2.4 * model.longestBond, 2.0 * largestContact(model));
   script.line("variable bpm index 0")
       .line("units lj")
       .line("boundary m m m")
@@ -55,8 +55,7 @@ void addAtoms(const LammpsModel& model, const std::string& name, LammpsText& scr
       .either(
           {"newton on off", "special_bonds lj 0 1 1 coul 1 1 1"},
           {"newton on on", model.breaks() ? "special_bonds lj/coul 1 1 1" : "special_bonds lj/coul 0 1 1"})
-      .line("comm_modify vel yes cutoff " +
-            lengthThere(model, std::max(longest, 2.0 * largestContact(model))))
+      .line("comm_modify vel yes cutoff " + lengthThere(model, furthest))
       .line("fix constants all property/atom d_contact d_beta ghost no")
       .line("read_data " + name + ".data fix constants NULL Constants");
 }

@@ -7,8 +7,9 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <tuple>
 
+#include "modeling/import/lammps_atom_style.h"
+#include "modeling/import/lammps_checks.h"
 #include "modeling/import/lammps_header.h"
 #include "modeling/import/lammps_unwrap.h"
 #include "modeling/shapes/resolution.h"
@@ -20,24 +21,6 @@ namespace modeling {
 namespace {
 
 using sim::Vec3;
-
-/// Where a line of `Atoms` has what we read of it; the rest of it is passed over.
-struct AtomStyle {
-  std::string_view name;
-  std::string_view form;
-  std::size_t words = 6;  ///< without image flags
-  std::size_t type = 2;
-  std::size_t position = 3;
-  std::size_t diameter = 0;  ///< and density behind it; 0: masses are by type
-};
-constexpr std::array<AtomStyle, 8> kAtomStyles{{{"bond", "id molecule type x y z"},
-                                                {"angle", "id molecule type x y z"},
-                                                {"molecular", "id molecule type x y z"},
-                                                {"full", "id molecule type charge x y z", 7, 2, 4},
-                                                {"atomic", "id type x y z", 5, 1, 2},
-                                                {"charge", "id type charge x y z", 6, 1, 3},
-                                                {"sphere", "id type diameter density x y z", 7, 1, 4, 2},
-                                                {"dipole", "id type charge x y z mux muy muz", 9, 1, 3}}};
 
 /// Names of sections. A line of numbers never begins like one.
 constexpr std::array<std::string_view, 5> kLabelSections{"Atom Type Labels", "Bond Type Labels",
@@ -166,10 +149,10 @@ class Reader {
   bool takeAtomStyle(const Token& word) {
     if (data_.atomsLine != 0) return failAt(word, "there is a second section \"Atoms\"", "keep one of them");
     const std::string_view name = lines_.comment();
-    const auto known = std::find_if(kAtomStyles.begin(), kAtomStyles.end(),
-                                    [&](const AtomStyle& style) { return style.name == name; });
-    if (known != kAtomStyles.end()) style_ = *known;
-    return name.empty() || known != kAtomStyles.end() ||
+    const auto known = std::find_if(kLammpsAtomStyles.begin(), kLammpsAtomStyles.end(),
+                                    [&](const LammpsAtomStyle& style) { return style.name == name; });
+    if (known != kLammpsAtomStyles.end()) style_ = *known;
+    return name.empty() || known != kLammpsAtomStyles.end() ||
            failAt(word, "the atoms are of style " + inQuotes(name), "write them with atom_style bond");
   }
 
@@ -375,21 +358,11 @@ class Reader {
            "move one of them, or make them one atom");
       return;
     }
-    std::vector<std::uint32_t> order(data_.positions.size());
-    for (std::uint32_t node = 0; node < order.size(); ++node) order[node] = node;
-    const auto place = [&](std::uint32_t node) {
-      const Vec3& at = data_.positions[node];
-      return std::tuple(at.x(), at.y(), at.z(), node);
-    };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-    const auto twice = std::adjacent_find(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return data_.positions[a] == data_.positions[b];
-    });
-    if (twice == order.end()) return;
-    data_.notes.push_back(source_ + ':' + std::to_string(atomLines_[*std::next(twice)]) +
+    const auto two = twoInOnePlace(data_.positions);
+    if (!two) return;
+    data_.notes.push_back(source_ + ':' + std::to_string(atomLines_[two->second]) +
                           ":1: this atom is in one place with that of line " +
-                          std::to_string(atomLines_[*twice]));
+                          std::to_string(atomLines_[two->first]));
   }
 
   bool checkIds() {
@@ -409,17 +382,8 @@ class Reader {
                       " bond types, this bond is of type " + std::to_string(bond.type),
                   "correct one of the two");
     }
-    const auto pairOf = [](const LammpsBond& bond) {
-      return std::uint64_t{std::min(bond.a, bond.b)} << 32U | std::max(bond.a, bond.b);
-    };
-    std::vector<std::uint64_t> pairs;
-    for (const LammpsBond& bond : data_.bonds) pairs.push_back(pairOf(bond));
-    std::sort(pairs.begin(), pairs.end());
-    const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
-    if (twice == pairs.end()) return true;
-    const auto second = std::find_if(data_.bonds.rbegin(), data_.bonds.rend(),
-                                     [&](const LammpsBond& bond) { return pairOf(bond) == *twice; });
-    return fail(second->line, 1, "these two nodes are bonded already", "keep one bond a pair");
+    const std::optional<LammpsBond> second = secondOfPair(data_.bonds);
+    return !second || fail(second->line, 1, "these two nodes are bonded already", "keep one bond a pair");
   }
 
   bool giveMasses() {
@@ -439,7 +403,7 @@ class Reader {
   const std::string& source_;
   LammpsData data_;
   LammpsHeader header_;
-  AtomStyle style_ = kAtomStyles[0];
+  LammpsAtomStyle style_ = kLammpsAtomStyles[0];
   std::string section_;  ///< that is being read
   std::map<std::string, std::int64_t> atomLabels_, bondLabels_;
   std::map<std::int64_t, double> masses_;

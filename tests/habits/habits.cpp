@@ -42,7 +42,7 @@ struct Library {
   std::string_view name;
   std::string_view firstRoom;
 };
-constexpr std::array<Library, 11> kLibraries = {{{"Qt", "Qt", "ui"},
+constexpr std::array<Library, 12> kLibraries = {{{"Qt", "Qt", "ui"},
                                                  {"GL/", "OpenGL", "ui"},
                                                  {"embree", "Embree", "ui"},
                                                  {"png.h", "libpng", "ui"},
@@ -50,6 +50,7 @@ constexpr std::array<Library, 11> kLibraries = {{{"Qt", "Qt", "ui"},
                                                  {"stb/", "stb_image", "ui"},
                                                  {"nlohmann/", "nlohmann-json", "modeling"},
                                                  {"assimp/", "assimp", "modeling"},
+                                                 {"zlib.h", "zlib", "modeling"},
                                                  {"CLI/", "CLI11", "app"},
                                                  {"benchmark/", "Google Benchmark", "tests"},
                                                  {"catch2/", "Catch2", "tests"}}};
