@@ -189,6 +189,7 @@ sim::Result<Json> describeNetwork(const std::filesystem::path& file) {
   for (const auto& [type, count] : types) info["bonds_by_type"][std::to_string(type)] = count;
   addExtent(data->positions, data->masses, info);
   info["has_velocities"] = !data->velocities.empty();
+  if (!data->notes.empty()) info["notes"] = data->notes;
   return info;
 }
 

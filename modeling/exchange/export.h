@@ -48,21 +48,23 @@ sim::Result<ExportFormat> exportFormatNamed(const std::string& name);
 
 /// Extended XYZ, read by OVITO and ASE: all frames in one file, nodes in network order, cm and cm/s with 17
 /// significant digits, which read back to the same numbers. The comment line of a frame names the columns and
-/// states Time (s) and Step (count). The species is the node's material.
+/// states Time (s), Step (count) and the names of materials. `species` is a chemical element that stands for
+/// the node's material, `material` its number from 0, `masses` the mass in g, 0 of held nodes, `fragment` its
+/// fragment, -1 of none.
 sim::Status writeXyz(const sim::TakeReader& take, const ExportRequest& request);
 
 /// Wavefront OBJ of the surface (sim/surface/surface_mesh.h): one file a frame, numbered as numberedPath()
-/// says, or the path itself for a single frame, and one .mtl for all. cm, z up; a group a fragment; vertex
-/// normals; materials MATERIAL_outside and MATERIAL_inside.
+/// says, or the path itself for a single frame, each with its .obj.mtl. cm, z up; a group a fragment; a
+/// normal a vertex; materials MATERIAL_outside and MATERIAL_inside.
 sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request);
 
-/// PLY, binary: the surface, one file a frame. cm, z up. Vertices have normals and `damage` (damage.h), faces
-/// `fragment`, `material` (numbers that the head explains) and `inside`.
+/// PLY, binary: the surface, one file a frame. cm, z up. Vertices have normals, `damage` (damage.h), and of
+/// the faces they belong to `fragment`, `material` (numbers that the head explains) and `inside`.
 sim::Status writePly(const sim::TakeReader& take, const ExportRequest& request);
 
-/// Point cache (.pc2) with the .obj and .mtl of the same name that it moves: the surface of all frames with
-/// the breaks of the last, so that its points are the same ones throughout, deformed. cm, z up; a sample a
-/// frame; the head of the .obj states the frames a second.
+/// Point cache (.pc2) with the .obj of the same name, and its .obj.mtl, that it moves: the surface of all
+/// frames with the breaks of the last, so that its points are the same ones throughout, deformed. cm, z up; a
+/// sample a frame; the head of the .obj states the frames a second.
 sim::Status writePc2(const sim::TakeReader& take, const ExportRequest& request);
 
 /// VTK: a .vtu a frame and a .pvd that puts them in time. Nodes with `velocity`, `fragment` and `damage`;

@@ -1,12 +1,14 @@
 #include "modeling/exchange/lammps_import.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "modeling/exchange/lammps_dump.h"
+#include "modeling/exchange/lammps_moment.h"
 #include "modeling/run/recording.h"
 #include "sim/fracture/components.h"
 #include "sim/kernel/bond_layout.h"
@@ -17,11 +19,10 @@ namespace {
 
 using sim::Problem;
 
-/// Where the columns of nodes stand.
-struct NodeColumns {
-  std::size_t id = 0;
-  std::array<std::size_t, 3> position{}, velocity{};
-};
+/// A whole bond is never longer than so many times the length at which it breaks, nor one that cannot break
+/// than so many times its own: nodes that are, are those of other bonds.
+constexpr double kMostStretch = 1.5;
+constexpr double kMostUnbreakable = 10.0;
 
 class Importer {
  public:
@@ -29,12 +30,14 @@ class Importer {
       : from_(from),
         scene_(scene),
         network_(network),
-        nodes_(from.dump, network.nodeCount()),
+        nodes_(from.dump, network.nodeCount(), lammpsNodeColumns()),
         layout_(network),
         components_(network, layout_) {
     broken_.bonds.assign(network.bondCount(), 0);
     broken_.cells.assign(network.cellCount(), 0);
-    if (!from.bonds.empty()) bonds_ = std::make_unique<LammpsDumpReader>(from.bonds, network.bondCount());
+    moment_.positions = network.positions;
+    // Bonds that may break are there twice (LammpsModel).
+    if (!from.bonds.empty()) bonds_ = std::make_unique<LammpsDumpReader>(from.bonds, 2 * network.bondCount());
   }
 
   sim::Result<std::size_t> run(const std::filesystem::path& path) {
@@ -82,68 +85,63 @@ class Importer {
         if (auto status = readBonds(**pairs, (*frame)->step); !status) return status.problem();
       }
     }
+    if (isFirst_) {
+      if (auto status = checkStretch(**frame); !status) return status.problem();
+    }
+    isFirst_ = false;
     complete();
     return true;
   }
 
-  sim::Result<NodeColumns> columnsOf(const LammpsDumpFrame& frame) const {
-    NodeColumns columns;
-    const auto find = [&](const std::string& name, std::size_t& where) {
-      const auto found = frame.column(name);
-      if (found) where = *found;
-      return found.has_value();
-    };
-    bool all = find("id", columns.id);
-    const std::array<std::string, 3> axes{"x", "y", "z"};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      all = find(axes[axis], columns.position[axis]) && all;
-      all = find("v" + axes[axis], columns.velocity[axis]) && all;
-    }
-    if (!all)
-      return at(from_.dump, frame, 0, "the columns id, x, y, z, vx, vy and vz are needed",
-                "dump them by dump custom, as the exported input does");
-    return columns;
+  sim::Status readNodes(const LammpsDumpFrame& frame) {
+    auto read = readLammpsMoment(frame, from_.dump, moment_.positions);
+    if (!read) return read.problem();
+    if (read->time < moment_.time)
+      return at(from_.dump, frame, 0, "the time goes back", "take the dump of one run");
+    moment_.time = read->time;
+    moment_.stepCount = frame.step;
+    moment_.positions = std::move(read->positions);
+    moment_.velocities = std::move(read->velocities);
+    return isFirst_ && frame.step == 0 ? checkStart(frame) : sim::Status(sim::Done{});
   }
 
-  sim::Status readNodes(const LammpsDumpFrame& frame) {
-    const auto columns = columnsOf(frame);
-    if (!columns) return columns.problem();
-    if (frame.rows() != network_.nodeCount()) {
-      return at(from_.dump, frame, 0,
-                "there are " + std::to_string(frame.rows()) + " nodes, and the scene has " +
-                    std::to_string(network_.nodeCount()));
-    }
-    std::vector<std::uint8_t> seen(network_.nodeCount(), 0);
-    std::vector<Vec3> positions(network_.nodeCount()), velocities(network_.nodeCount());
-    for (std::size_t row = 0; row < frame.rows(); ++row) {
-      const double* const numbers = &frame.numbers[row * frame.columns.size()];
-      const auto node = nodeOf(numbers[columns->id]);
-      if (!node || seen[*node] != 0)
-        return at(from_.dump, frame, row, "this id is no node's, or was there before");
-      seen[*node] = 1;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        positions[*node][static_cast<Eigen::Index>(axis)] = numbers[columns->position[axis]];
-        velocities[*node][static_cast<Eigen::Index>(axis)] = numbers[columns->velocity[axis]];
+  /// Whether the nodes begin where the scene has them, as a whole: other programs number them otherwise. A
+  /// run that goes on from a later frame begins with that frame's step.
+  sim::Status checkStart(const LammpsDumpFrame& frame) const {
+    const auto boxOf = [](const std::vector<Vec3>& places) {
+      Eigen::AlignedBox3d box;
+      for (const Vec3& place : places) box.extend(place);
+      return box;
+    };
+    const Eigen::AlignedBox3d here = boxOf(network_.positions);
+    const Eigen::AlignedBox3d there = boxOf(moment_.positions);
+    const double apart = std::max((here.min() - there.min()).norm(), (here.max() - there.max()).norm());
+    const double allowed = *std::max_element(network_.radii.begin(), network_.radii.end());
+    if (apart <= std::max(allowed, 1e-6)) return sim::Done{};
+    return at(from_.dump, frame, 0,
+              "in step 0 the box around all nodes is " + std::to_string(apart) +
+                  " cm from where the scene has it: this is the dump of another scene");
+  }
+
+  /// Of bonds that are whole in this moment.
+  sim::Status checkStretch(const LammpsDumpFrame& frame) const {
+    for (sim::NodeIndex a = 0; a < network_.nodeCount(); ++a) {
+      for (sim::BondIndex bond = network_.firstBond[a]; bond < network_.firstBond[a + 1]; ++bond) {
+        if (broken_.bonds[bond] != 0) continue;
+        const sim::NodeIndex b = network_.bondEnds[bond];
+        const double length = (moment_.positions[b] - moment_.positions[a]).norm();
+        const auto threshold = static_cast<double>(network_.thresholds[bond]);
+        const double most = std::isfinite(threshold) ? kMostStretch * (1.0 + threshold) : kMostUnbreakable;
+        const double stretch = length / network_.bond(bond).restLength;
+        if (stretch <= most) continue;
+        return at(from_.dump, frame, 0,
+                  "the bond between nodes " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
+                      " would be whole and " + std::to_string(stretch) +
+                      " times as long as at rest: this is the dump of another scene" +
+                      (bonds_ ? "" : ", or the dump of its bonds is missing"));
       }
     }
-    if (!frame.time && frame.step > 0) {
-      return at(from_.dump, frame, 0, "the dump does not state the time",
-                "let LAMMPS write it: dump_modify ID time yes");
-    }
-    const double time = frame.time.value_or(0.0);
-    if (time < moment_.time)
-      return at(from_.dump, frame, 0, "the time goes back", "take the dump of one run");
-    moment_.time = time;
-    moment_.stepCount = frame.step;
-    moment_.positions = std::move(positions);
-    moment_.velocities = std::move(velocities);
     return sim::Done{};
-  }
-
-  std::optional<sim::NodeIndex> nodeOf(double id) const {
-    if (!(id >= 1.0) || id > static_cast<double>(network_.nodeCount()) || id != std::floor(id))
-      return std::nullopt;
-    return static_cast<sim::NodeIndex>(id) - 1;
   }
 
   sim::Status readBonds(const LammpsDumpFrame& frame, std::uint64_t step) {
@@ -152,8 +150,8 @@ class Importer {
                 "take both dumps from one run");
     std::vector<std::uint8_t> whole(network_.bondCount(), 0);
     for (std::size_t row = 0; row < frame.rows(); ++row) {
-      const auto a = nodeOf(frame.numbers[2 * row]);
-      const auto b = nodeOf(frame.numbers[2 * row + 1]);
+      const auto a = lammpsNode(frame.numbers[2 * row], network_.nodeCount());
+      const auto b = lammpsNode(frame.numbers[2 * row + 1], network_.nodeCount());
       const sim::BondIndex bond = a && b && *a != *b ? network_.findBond(*a, *b) : sim::kNone;
       if (bond == sim::kNone) return at(from_.bonds, frame, row, "the scene has no bond between these");
       whole[bond] = 1;
@@ -244,6 +242,7 @@ class Importer {
   sim::Snapshot moment_;
   sim::Broken broken_;  ///< of the moment, while it is being read
   std::vector<sim::BreakEvent> events_;
+  bool isFirst_ = true;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "modeling/exchange/lammps_colliders.h"
 #include "modeling/exchange/lammps_model.h"
@@ -9,9 +10,10 @@ namespace modeling {
 
 namespace {
 
-/// Bonds are looked at for breaking so often that all searches together cost about as much as eight in every
-/// step.
-constexpr std::size_t kSearchesPerStep = 8;
+/// A length, or anything that is per length once: lengths are in other units there.
+std::string lengthThere(const LammpsModel& model, double cm) {
+  return lammpsNumber(model.unitsPerCm * cm);
+}
 
 std::string typesWhere(const LammpsModel& model, bool held) {
   std::string list;
@@ -22,7 +24,10 @@ std::string typesWhere(const LammpsModel& model, bool held) {
 }
 
 void addHead(const LammpsModel& model, const std::string& name, LammpsText& script) {
-  script.line("# Smithereens: a moment of a take for LAMMPS (29 Sep 2021 or later). cm, g, s; z up.")
+  script
+      .line("# Smithereens: a moment of a take for LAMMPS (29 Sep 2021 or later). " +
+            (model.unitsPerCm == 1.0 ? "cm" : "1/" + lammpsNumber(model.unitsPerCm) + " cm") +
+            ", g, s; z up.")
       .line("#   mpirun -np 4 lmp -in " + name + ".in")
       .line("# where LAMMPS has the BPM package (4 May 2022 or later), nearer to ours by its bonds:")
       .line("#   mpirun -np 4 lmp -var bpm 1 -in " + name + ".in")
@@ -33,87 +38,141 @@ void addHead(const LammpsModel& model, const std::string& name, LammpsText& scri
   script.line("");
 }
 
-/// fix bond/break keeps lists of what is one, two and three bonds away, but counts on room for the first only
-/// where nothing else asks for the others: more, and it writes past their ends. In a lattice of cells 26
-/// nodes are one bond away and 342 three.
-std::size_t roomForBreaking(const LammpsModel& model) {
-  static constexpr std::size_t kRoomPerBond = 16;
-  const sim::Network& network = *model.network;
-  std::vector<std::size_t> bonds(network.nodeCount(), 0);
-  bool breaks = false;
-  for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
-    for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
-      ++bonds[a];
-      ++bonds[network.bondEnds[bond]];
-      breaks = breaks || std::isfinite(network.thresholds[bond]);
-    }
-  }
-  return breaks ? kRoomPerBond * *std::max_element(bonds.begin(), bonds.end()) : 0;
+double largestContact(const LammpsModel& model) {
+  double largest = 0.0;
+  for (const LammpsAtomType& type : model.atomTypes) largest = std::max(largest, type.contactLength);
+  return largest;
 }
 
 void addAtoms(const LammpsModel& model, const std::string& name, LammpsText& script) {
-  double touch = 0.0;
-  for (const LammpsAtomType& type : model.atomTypes) touch = std::max(touch, type.contactLength);
+  // Bonds that are twice as long as at rest, and some way more until lists are made anew.
+  const double furthest = std::max(2.4 * model.longestBond, 2.0 * largestContact(model));
   script.line("variable bpm index 0")
       .line("units lj")
       .line("boundary m m m")
       .line("atom_style hybrid bond sphere")
-      .either({"newton on off", "special_bonds lj 0 1 1 coul 1 1 1"},
-              {"newton on on", "special_bonds lj/coul 0 1 1"})
-      .line("comm_modify vel yes cutoff " + lammpsNumber(std::max(2.0 * model.longestBond, 2.0 * touch)))
+      // Quartic bonds take away what the pair would push.
+      .either(
+          {"newton on off", "special_bonds lj 0 1 1 coul 1 1 1"},
+          {"newton on on", model.breaks() ? "special_bonds lj/coul 1 1 1" : "special_bonds lj/coul 0 1 1"})
+      .line("comm_modify vel yes cutoff " + lengthThere(model, furthest))
       .line("fix constants all property/atom d_contact d_beta ghost no")
-      .either({"variable room index 0"}, {"variable room index " + std::to_string(roomForBreaking(model))})
-      .line("read_data " + name + ".data fix constants NULL Constants extra/special/per/atom ${room}")
-      .line("pair_style soft " + lammpsNumber(touch));
+      .line("read_data " + name + ".data fix constants NULL Constants");
+}
+
+/// A soft spring, as stiff as ours where it begins.
+void addContacts(const LammpsModel& model, LammpsText& script) {
+  const double touch = largestContact(model);
+  const sim::ContactSettings& contact = model.conditions.settings.contact;
+  script.line("pair_style soft " + lengthThere(model, touch));
   for (std::size_t i = 0; i < model.atomTypes.size(); ++i) {
     for (std::size_t j = i; j < model.atomTypes.size(); ++j) {
-      const double length = std::min(model.atomTypes[i].contactLength, model.atomTypes[j].contactLength);
+      const LammpsAtomType& one = model.atomTypes[i];
+      const LammpsAtomType& other = model.atomTypes[j];
+      const double length = model.unitsPerCm * std::min(one.contactLength, other.contactLength);
       const double stiffness =
-          std::min(model.atomTypes[i].contactStiffness, model.atomTypes[j].contactStiffness) *
-          model.conditions.settings.contact.stiffnessScale;
+          contact.between ? contact.stiffnessScale * std::min(one.contactStiffness, other.contactStiffness)
+                          : 0.0;
       // E = A (1 + cos(pi r / length)) has the stiffness A (pi / length)^2 where it begins.
-      const double energy =
-          model.conditions.settings.contact.between ? stiffness * length * length / 9.869604401089358 : 0.0;
       script.line("pair_coeff " + std::to_string(i + 1) + " " + std::to_string(j + 1) + " " +
-                  lammpsNumber(energy) + " " + lammpsNumber(length));
+                  lammpsNumber(stiffness * length * length / (std::numbers::pi * std::numbers::pi)) + " " +
+                  lammpsNumber(length));
     }
   }
-  script.line("neighbor " + lammpsNumber(0.3 * touch) + " bin")
-      .line("neigh_modify every 1 delay 0 check yes");
+  script.line("neighbor " + lengthThere(model, 0.3 * touch) + " bin");
+  const std::string whenMoved = "neigh_modify every 1 delay 0 check yes";
+  const std::string often =
+      "neigh_modify every " + std::to_string(LammpsModel::kStepsBetweenLists) + " delay 0 check no";
+  script.either({whenMoved}, {model.breaks() ? often : whenMoved});
+}
+
+std::string bondTypes(std::size_t first, std::size_t count) {
+  const std::string from = std::to_string(first + 1);
+  return count == 1 ? from : from + "*" + std::to_string(first + count);
+}
+
+/// Bonds that only break: without BPM of the style quartic, with BPM taken away again.
+void addBreakingBonds(const LammpsModel& model, std::vector<std::string>& bpm,
+                      std::vector<std::string>& without) {
+  const std::string all = bondTypes(model.bondTypes.size(), model.breakLengths.size());
+  bpm.push_back("bond_coeff " + all + " 0 1 0");
+  bpm.push_back("delete_bonds all bond " + all + " remove");
+  for (std::size_t i = 0; i < model.breakLengths.size(); ++i)
+    without.push_back("bond_coeff " + bondTypes(model.bondTypes.size() + i, 1) + " quartic 0 0 0 " +
+                      lengthThere(model, model.breakLengths[i]) + " 0");
 }
 
 void addBonds(const LammpsModel& model, LammpsText& script) {
   std::vector<std::string> bpm{"bond_style bpm/spring smooth no break yes"};
-  std::vector<std::string> harmonic{"bond_style harmonic"};
-  for (std::size_t i = 0; i < model.bondTypes.size(); ++i) {
-    const LammpsBondType& type = model.bondTypes[i];
-    const std::string start = "bond_coeff " + std::to_string(i + 1) + " ";
-    // A stretch by a million breaks nothing. Harmonic energy is K (r - r0)^2 there.
-    const double threshold = std::isfinite(type.threshold) ? type.threshold : 1e6;
-    bpm.push_back(start + lammpsNumber(type.stiffness) + " " + lammpsNumber(threshold) + " " +
-                  lammpsNumber(type.damping));
-    harmonic.push_back(start + lammpsNumber(0.5 * type.stiffness) + " " + lammpsNumber(type.restLength));
+  std::vector<std::string> without{model.breaks() ? "bond_style hybrid harmonic quartic"
+                                                  : "bond_style harmonic"};
+  const std::string style = model.breaks() ? " harmonic " : " ";
+  for (std::size_t first = 0; first < model.bondTypes.size();) {
+    const LammpsBondType& type = model.bondTypes[first];
+    std::size_t next = first;
+    for (; next < model.bondTypes.size() && model.bondTypes[next].kind == type.kind; ++next) {
+      const LammpsBondType& level = model.bondTypes[next];
+      // A stretch by a million breaks nothing.
+      const double threshold = std::isfinite(level.threshold) ? level.threshold : 1e6;
+      bpm.push_back("bond_coeff " + bondTypes(next, 1) + " " + lammpsNumber(level.stiffness) + " " +
+                    lammpsNumber(threshold) + " " + lammpsNumber(level.damping));
+    }
+    // Harmonic energy is K (r - r0)^2 there.
+    without.push_back("bond_coeff " + bondTypes(first, next - first) + style +
+                      lammpsNumber(0.5 * type.stiffness) + " " + lengthThere(model, type.restLength));
+    first = next;
   }
-  script.either(bpm, harmonic);
+  if (model.breaks()) addBreakingBonds(model, bpm, without);
+  script.either(bpm, without);
+}
+
+/// The damping of a node, by the change of what bonds and contacts do to it. When lists are made anew the
+/// bonds that broke are gone; such a leap is no motion, so that step has no damping and the others have its
+/// share.
+std::vector<std::string> damping(const LammpsModel& model) {
+  static constexpr double kEvery = LammpsModel::kStepsBetweenLists;
+  std::string factor = "c_beta/dt*";
+  if (model.breaks())
+    factor.append(lammpsNumber(kEvery / (kEvery - 1.0)))
+        .append("*((step-" + std::to_string(model.firstStep) + ")%")
+        .append(lammpsNumber(kEvery))
+        .append("!=0)*");
+  std::vector<std::string> lines{"compute beta all property/atom d_beta", "fix elastic all store/force",
+                                 "run 0",
+                                 "fix before all store/state 1 f_elastic[1] f_elastic[2] f_elastic[3]"};
+  for (const std::string axis : {"x1", "y2", "z3"}) {
+    std::string line = "variable damp";
+    line.append(1, axis[0]).append(" atom \"").append(factor).append("(f_elastic[").append(1, axis[1]);
+    lines.push_back(line.append("]-f_before[").append(1, axis[1]).append("])\""));
+  }
+  lines.emplace_back("fix damping moving addforce v_dampx v_dampy v_dampz");
+  return lines;
 }
 
 void addMotion(const LammpsModel& model, LammpsText& script) {
   const std::string held = typesWhere(model, true);
   const std::string moving = typesWhere(model, false);
   script.line("timestep " + lammpsNumber(model.step));
+  if (model.firstStep != 0) script.line("reset_timestep " + std::to_string(model.firstStep));
   if (!held.empty()) script.line("group held type" + held).line("fix heldAsTheyAre held nve/noforce");
   script.line("group moving type" + (moving.empty() ? " 1" : moving)).line("fix motion moving nve");
   // What bonds and contacts do, before anything else is added; its change is what damping hangs on.
-  script.either({}, {"compute beta all property/atom d_beta", "fix elastic all store/force", "run 0",
-                     "fix before all store/state 1 f_elastic[1] f_elastic[2] f_elastic[3]",
-                     "variable dampx atom \"c_beta/dt*(f_elastic[1]-f_before[1])\"",
-                     "variable dampy atom \"c_beta/dt*(f_elastic[2]-f_before[2])\"",
-                     "variable dampz atom \"c_beta/dt*(f_elastic[3]-f_before[3])\"",
-                     "fix damping moving addforce v_dampx v_dampy v_dampz"});
+  script.either({}, damping(model));
   const Vec3& gravity = model.conditions.environment.gravity;
   if (gravity.norm() > 0.0)
-    script.line("fix gravity moving gravity " + lammpsNumber(gravity.norm()) + " vector " +
+    script.line("fix gravity moving gravity " + lengthThere(model, gravity.norm()) + " vector " +
                 lammpsNumbers(gravity));
+}
+
+sim::Collider inTheirUnits(sim::Collider collider, double unitsPerCm) {
+  collider.position *= unitsPerCm;
+  const Vec3 factors = Vec3::Constant(unitsPerCm);
+  std::visit(
+      [&](auto& shape) {
+        if constexpr (requires { shape.scale(factors); }) shape.scale(factors);
+      },
+      collider.shape);
+  return collider;
 }
 
 void addColliders(const LammpsModel& model, LammpsText& script) {
@@ -121,28 +180,18 @@ void addColliders(const LammpsModel& model, LammpsText& script) {
   int count = 0;
   for (const sim::Collider& collider : model.conditions.environment.colliders) {
     const std::string id = std::to_string(++count);
-    addLammpsCollider(collider, id, model.step, script);
+    addLammpsCollider(inTheirUnits(collider, model.unitsPerCm), id, model.step, script);
   }
-}
-
-void addBreaking(const LammpsModel& model, LammpsText& script) {
-  std::size_t breaking = 0;
-  for (const LammpsBondType& type : model.bondTypes) breaking += std::isfinite(type.threshold) ? 1 : 0;
-  const std::size_t every = std::max<std::size_t>(1, breaking / kSearchesPerStep);
-  std::vector<std::string> fixes;
-  for (std::size_t i = 0; i < model.bondTypes.size(); ++i) {
-    const LammpsBondType& type = model.bondTypes[i];
-    if (!std::isfinite(type.threshold)) continue;
-    const std::string name = std::to_string(i + 1);
-    fixes.push_back("fix break" + name + " all bond/break " + std::to_string(every) + " " + name + " " +
-                    lammpsNumber(type.restLength * (1.0 + type.threshold)));
-  }
-  if (!fixes.empty()) script.either({}, fixes);
 }
 
 void addRun(const LammpsModel& model, const std::string& name, LammpsText& script) {
   const std::string every = std::to_string(model.stepsPerFrame);
-  script.line("dump nodes all custom " + every + " " + name + ".dump id x y z vx vy vz")
+  const bool otherUnits = model.unitsPerCm != 1.0;
+  // What a unit of length is, for who reads the dump: LAMMPS has no place for it but a column.
+  if (otherUnits) script.line("variable cm atom " + lammpsNumber(1.0 / model.unitsPerCm) + "+0*x");
+  script
+      .line("dump nodes all custom " + every + " " + name + ".dump id x y z vx vy vz" +
+            (otherUnits ? " v_cm" : ""))
       .line("dump_modify nodes time yes sort id format float %.17g")
       .line("compute pairs all property/local batom1 batom2")
       .line("dump bonds all local " + every + " " + name + ".bonds c_pairs[1] c_pairs[2]")
@@ -157,10 +206,10 @@ std::string lammpsScript(const LammpsModel& model, const std::string& name) {
   LammpsText script;
   addHead(model, name, script);
   addAtoms(model, name, script);
+  addContacts(model, script);
   addBonds(model, script);
   addMotion(model, script);
   addColliders(model, script);
-  addBreaking(model, script);
   addRun(model, name, script);
   return script.text();
 }

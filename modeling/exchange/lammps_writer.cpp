@@ -18,14 +18,17 @@ void writeHeader(const LammpsModel& model, std::uint64_t bonds, TextOutput& out)
     low = low.cwiseMin(position);
     high = high.cwiseMax(position);
   }
-  out << "Smithereens, cm, g, s; time " << model.moment->time << " s\n\n"
+  out << "Smithereens, lengths by 1/" << model.unitsPerCm << " cm, g, s; time " << model.moment->time
+      << " s\n\n"
       << std::uint64_t{positions.size()} << " atoms\n"
       << bonds << " bonds\n"
       << std::uint64_t{model.atomTypes.size()} << " atom types\n"
-      << std::uint64_t{model.bondTypes.size()} << " bond types\n\n";
+      << std::uint64_t{model.bondTypes.size() + model.breakLengths.size()} << " bond types\n\n";
   const double margin = model.longestBond + 1e-3 * (high - low).norm();
   const char* const names[] = {" xlo xhi\n", " ylo yhi\n", " zlo zhi\n"};
-  for (int axis = 0; axis < 3; ++axis) out << low[axis] - margin << " " << high[axis] + margin << names[axis];
+  low = model.unitsPerCm * (low - Vec3::Constant(margin));
+  high = model.unitsPerCm * (high + Vec3::Constant(margin));
+  for (int axis = 0; axis < 3; ++axis) out << low[axis] << " " << high[axis] << names[axis];
 }
 
 /// The mass of a sphere is given by its density. Held nodes weigh 1 g: nothing moves them.
@@ -33,17 +36,27 @@ void writeAtoms(const LammpsModel& model, TextOutput& out) {
   const sim::Network& network = *model.network;
   out << "\nAtoms # hybrid\n\n";
   for (std::size_t node = 0; node < network.nodeCount(); ++node) {
-    const double diameter = std::max(static_cast<double>(network.radii[node]), 1e-6);
+    const double diameter = model.unitsPerCm * std::max(static_cast<double>(network.radii[node]), 1e-6);
     const double mass = std::isfinite(network.masses[node]) ? network.masses[node] : 1.0;
     const double density = mass / (std::numbers::pi / 6.0 * diameter * diameter * diameter);
     out << std::uint64_t{node + 1} << " " << std::uint64_t{model.typeOfNode[node] + 1U} << " "
-        << model.moment->positions[node] << " "
+        << Vec3(model.unitsPerCm * model.moment->positions[node]) << " "
         << std::uint64_t{model.moment->broken->fragmentOfNode[node]} + 1U << " " << diameter << " " << density
         << "\n";
   }
   out << "\nVelocities\n\n";
   for (std::size_t node = 0; node < network.nodeCount(); ++node)
-    out << std::uint64_t{node + 1} << " " << model.moment->velocities[node] << " 0 0 0\n";
+    out << std::uint64_t{node + 1} << " " << Vec3(model.unitsPerCm * model.moment->velocities[node])
+        << " 0 0 0\n";
+}
+
+/// How many there are: two of each bond that may break.
+std::uint64_t bondLines(const LammpsModel& model) {
+  std::uint64_t count = 0;
+  for (sim::BondIndex bond = 0; bond < model.network->bondCount(); ++bond) {
+    if (model.bondIsWhole(bond)) count += model.breakOfBond[bond] != sim::kNone ? 2 : 1;
+  }
+  return count;
 }
 
 void writeBonds(const LammpsModel& model, TextOutput& out) {
@@ -53,8 +66,12 @@ void writeBonds(const LammpsModel& model, TextOutput& out) {
   for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
       if (!model.bondIsWhole(bond)) continue;
-      out << ++id << " " << std::uint64_t{model.typeOfBond[bond] + 1U} << " " << std::uint64_t{a + 1U} << " "
-          << std::uint64_t{network.bondEnds[bond] + 1U} << "\n";
+      const auto line = [&](std::uint64_t type) {
+        out << ++id << " " << type + 1U << " " << std::uint64_t{a + 1U} << " "
+            << std::uint64_t{network.bondEnds[bond] + 1U} << "\n";
+      };
+      line(model.typeOfBond[bond]);
+      if (model.breakOfBond[bond] != sim::kNone) line(model.bondTypes.size() + model.breakOfBond[bond]);
     }
   }
 }
@@ -81,9 +98,7 @@ sim::Status writeLammps(const sim::TakeReader& take, const ExportRequest& reques
   }
   const auto model = lammpsModel(take, request);
   if (!model) return model.problem();
-  std::uint64_t bonds = 0;
-  for (sim::BondIndex bond = 0; bond < model->network->bondCount(); ++bond)
-    bonds += model->bondIsWhole(bond) ? 1 : 0;
+  const std::uint64_t bonds = bondLines(*model);
   if (bonds == 0)
     return sim::Problem{request.path.string(), "no bond is whole: there is nothing for LAMMPS to do", ""};
   std::filesystem::path data = request.path;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "modeling/exchange/surface_vertices.h"
 #include "modeling/text/text_output.h"
 #include "sim/surface/level_surface.h"
 
@@ -20,7 +21,9 @@ void writeMaterial(const std::string& name, const Colour& colour, double gloss, 
       << sim::Vec3::Constant(specular) << "\nNs " << 10.0 + 490.0 * gloss << "\nd 1\nillum 2\n\n";
 }
 
-void writeFaces(const sim::SurfaceMesh& mesh, const std::vector<std::string>& names, TextOutput& out) {
+void writeFaces(const sim::SurfaceMesh& mesh, const SurfaceVertices& made,
+                const std::vector<std::string>& names, TextOutput& out) {
+  auto corner = made.corners.begin();
   sim::FragmentId fragment = sim::kNone;
   std::tuple<sim::MaterialIndex, bool> material;
   for (const auto& face : mesh.faces) {
@@ -32,11 +35,23 @@ void writeFaces(const sim::SurfaceMesh& mesh, const std::vector<std::string>& na
     fragment = face.fragment;
     material = {face.material, face.inside};
     out << "f";
-    for (unsigned c = 0; c < face.cornerCount; ++c) {
-      out << " " << std::uint64_t{face.points[c] + 1U} << "//" << std::uint64_t{face.normals[c] + 1U};
-    }
+    for (unsigned c = 0; c < face.cornerCount; ++c, ++corner)
+      out << " " << std::uint64_t{*corner + 1U} << "//" << std::uint64_t{*corner + 1U};
     out << "\n";
   }
+}
+
+sim::Status writeMaterialLibrary(const std::filesystem::path& path, const std::vector<std::string>& names,
+                                 const std::vector<Look>& looks) {
+  TextOutput out(path, kDigits);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i))
+      continue;
+    writeMaterial(names[i] + "_outside", looks[i].outside, looks[i].glaze, out);
+    writeMaterial(names[i] + "_inside", looks[i].inside, 0.0, out);
+  }
+  return out.finish();
 }
 
 }  // namespace
@@ -54,27 +69,18 @@ std::vector<std::string> materialNames(const sim::Network& network) {
   return names;
 }
 
-sim::Status writeMaterialLibrary(const std::filesystem::path& path, const std::vector<std::string>& names,
-                                 const std::vector<Look>& looks) {
-  TextOutput out(path, kDigits);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-        names.begin() + static_cast<std::ptrdiff_t>(i))
-      continue;
-    writeMaterial(names[i] + "_outside", looks[i].outside, looks[i].glaze, out);
-    writeMaterial(names[i] + "_inside", looks[i].inside, 0.0, out);
-  }
-  return out.finish();
-}
-
-sim::Status writeObjSurface(const std::filesystem::path& path, const std::string& library,
-                            const std::vector<std::string>& names, const sim::SurfaceMesh& mesh,
+sim::Status writeObjSurface(const std::filesystem::path& path, const std::vector<std::string>& names,
+                            const std::vector<Look>& looks, const sim::SurfaceMesh& mesh,
                             const std::string& remark) {
+  std::filesystem::path library = path;
+  library += ".mtl";
+  if (auto status = writeMaterialLibrary(library, names, looks); !status) return status;
+  const SurfaceVertices made = verticesOf(mesh);
   TextOutput out(path, kDigits);
-  out << "# Smithereens surface, cm, z up\n" << remark << "mtllib " << library << "\n";
-  for (const sim::Vec3& point : mesh.points) out << "v " << point << "\n";
-  for (const sim::Vec3& normal : mesh.normals) out << "vn " << normal << "\n";
-  writeFaces(mesh, names, out);
+  out << "# Smithereens surface, cm, z up\n" << remark << "mtllib " << library.filename().string() << "\n";
+  for (const SurfaceVertex& vertex : made.vertices) out << "v " << mesh.points[vertex.point] << "\n";
+  for (const SurfaceVertex& vertex : made.vertices) out << "vn " << mesh.normals[vertex.normal] << "\n";
+  writeFaces(mesh, made, names, out);
   return out.finish();
 }
 

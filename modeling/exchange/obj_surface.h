@@ -17,13 +17,11 @@ sim::SurfaceMesh surfaceOf(const sim::TakeReader& take, const sim::Snapshot& fra
 /// One word a material. Entries of one name are one material to look at.
 std::vector<std::string> materialNames(const sim::Network& network);
 
-/// The .mtl file: NAME_outside and NAME_inside for each name.
-sim::Status writeMaterialLibrary(const std::filesystem::path& path, const std::vector<std::string>& names,
-                                 const std::vector<Look>& looks);
-
-/// The surface, its points in order. `remark`: lines for the head, each with its "# ".
-sim::Status writeObjSurface(const std::filesystem::path& path, const std::string& library,
-                            const std::vector<std::string>& names, const sim::SurfaceMesh& mesh,
+/// Writes FILE.obj, and beside it its materials, NAME_outside and NAME_inside for each name. They are in
+/// FILE.obj.mtl, where VTK looks for them whatever the file says. A vertex is a point with one normal, in the
+/// order of verticesOf(). `remark`: lines for the head, each with its "# ".
+sim::Status writeObjSurface(const std::filesystem::path& path, const std::vector<std::string>& names,
+                            const std::vector<Look>& looks, const sim::SurfaceMesh& mesh,
                             const std::string& remark);
 
 }  // namespace modeling

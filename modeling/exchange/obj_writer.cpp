@@ -20,15 +20,12 @@ std::string timeRemark(double seconds) {
 sim::Status writeObj(const sim::TakeReader& take, const ExportRequest& request) {
   const auto scene = sceneOf(take);
   if (!scene) return scene.problem();
-  std::filesystem::path library = request.path;
-  library.replace_extension(".mtl");
   const std::vector<std::string> names = materialNames(take.network());
-  if (auto status = writeMaterialLibrary(library, names, looksOf(*scene, take.network())); !status)
-    return status;
+  const std::vector<Look> looks = looksOf(*scene, take.network());
   sim::SurfaceBuilder builder(take.network(), request.looseNodes);
   return forEachFrame(take, request, [&](std::size_t index, const sim::Snapshot& frame) {
-    return writeObjSurface(framePath(request, index), library.filename().string(), names,
-                           surfaceOf(take, frame, request, builder), timeRemark(frame.time));
+    return writeObjSurface(framePath(request, index), names, looks, surfaceOf(take, frame, request, builder),
+                           timeRemark(frame.time));
   });
 }
 

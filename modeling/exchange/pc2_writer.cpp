@@ -4,6 +4,7 @@
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/frame_loop.h"
 #include "modeling/exchange/obj_surface.h"
+#include "modeling/exchange/surface_vertices.h"
 #include "modeling/text/text_output.h"
 #include "sim/base/bytes.h"
 
@@ -37,17 +38,17 @@ std::string remarkOf(const sim::TakeReader& take, std::size_t frames) {
 }
 
 sim::Status writeCache(const sim::TakeReader& take, const ExportRequest& request, const sim::Snapshot& split,
-                       sim::SurfaceBuilder& builder, std::size_t points) {
+                       sim::SurfaceBuilder& builder, const SurfaceVertices& made) {
   TextOutput out(request.path);
-  out << asText(head(points, request.lastFrame - request.firstFrame + 1));
+  out << asText(head(made.vertices.size(), request.lastFrame - request.firstFrame + 1));
   sim::Snapshot moment = split;
   const auto status =
       forEachFrame(take, request, [&](std::size_t, const sim::Snapshot& frame) -> sim::Status {
         moment.positions = frame.positions;
         const sim::SurfaceMesh mesh = builder.build(moment);
         sim::ByteWriter bytes;
-        for (const sim::Vec3& point : mesh.points) {
-          for (const double number : point) bytes.put(static_cast<float>(number));
+        for (const SurfaceVertex& vertex : made.vertices) {
+          for (const double number : mesh.points[vertex.point]) bytes.put(static_cast<float>(number));
         }
         out << asText(bytes);
         return out.good() ? sim::Status(sim::Done{}) : out.finish();
@@ -67,16 +68,11 @@ sim::Status writePc2(const sim::TakeReader& take, const ExportRequest& request) 
   const sim::Snapshot split = splitAtStart(**first, **last);
   sim::SurfaceBuilder builder(take.network(), request.looseNodes);
   const sim::SurfaceMesh mesh = builder.build(split);
-  const std::vector<std::string> names = materialNames(take.network());
   std::filesystem::path object = request.path;
-  std::filesystem::path library = request.path;
-  library.replace_extension(".mtl");
   object.replace_extension(".obj");
-  if (auto status = writeMaterialLibrary(library, names, looksOf(*scene, take.network())); !status)
-    return status;
-  const auto status = writeObjSurface(object, library.filename().string(), names, mesh,
-                                      remarkOf(take, request.lastFrame - request.firstFrame + 1));
-  return status ? writeCache(take, request, split, builder, mesh.points.size()) : status;
+  const auto status = writeObjSurface(object, materialNames(take.network()), looksOf(*scene, take.network()),
+                                      mesh, remarkOf(take, request.lastFrame - request.firstFrame + 1));
+  return status ? writeCache(take, request, split, builder, verticesOf(mesh)) : status;
 }
 
 }  // namespace modeling

@@ -1,10 +1,8 @@
-#include <map>
-#include <utility>
-
 #include "modeling/exchange/damage.h"
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/frame_loop.h"
 #include "modeling/exchange/obj_surface.h"
+#include "modeling/exchange/surface_vertices.h"
 #include "modeling/text/text_output.h"
 #include "sim/base/bytes.h"
 
@@ -12,34 +10,30 @@ namespace modeling {
 
 namespace {
 
-/// PLY has one index a corner: a vertex is a point with one of its normals.
-struct PlyBody {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
-  sim::ByteWriter vertices, faces;
-};
-
-std::uint32_t vertex(const sim::SurfaceMesh& mesh, const std::vector<double>& damage, std::uint32_t point,
-                     std::uint32_t normal, PlyBody& body) {
-  const auto [at, isNew] =
-      body.known.try_emplace({point, normal}, static_cast<std::uint32_t>(body.known.size()));
-  if (!isNew) return at->second;
-  for (const double number : mesh.points[point]) body.vertices.put(static_cast<float>(number));
-  for (const double number : mesh.normals[normal]) body.vertices.put(static_cast<float>(number));
-  body.vertices.put(static_cast<float>(damage[mesh.nodeOfPoint[point]]));
-  return at->second;
+/// All that is said of a face stands at its vertices, which no other kind of face shares: readers that take
+/// faces for lists of vertices only (meshio) would lose their place at more.
+sim::ByteWriter verticesIn(const sim::SurfaceMesh& mesh, const SurfaceVertices& made,
+                           const std::vector<double>& damage) {
+  sim::ByteWriter bytes;
+  for (const SurfaceVertex& vertex : made.vertices) {
+    for (const double number : mesh.points[vertex.point]) bytes.put(static_cast<float>(number));
+    for (const double number : mesh.normals[vertex.normal]) bytes.put(static_cast<float>(number));
+    bytes.put(static_cast<float>(damage[mesh.nodeOfPoint[vertex.point]]));
+    bytes.put(vertex.fragment);
+    bytes.put(std::uint32_t{vertex.material});
+    bytes.put(static_cast<std::uint8_t>(vertex.inside ? 1 : 0));
+  }
+  return bytes;
 }
 
-PlyBody bodyOf(const sim::SurfaceMesh& mesh, const std::vector<double>& damage) {
-  PlyBody body;
+sim::ByteWriter facesIn(const sim::SurfaceMesh& mesh, const SurfaceVertices& made) {
+  sim::ByteWriter bytes;
+  auto corner = made.corners.begin();
   for (const auto& face : mesh.faces) {
-    body.faces.put(face.cornerCount);
-    for (unsigned c = 0; c < face.cornerCount; ++c)
-      body.faces.put(vertex(mesh, damage, face.points[c], face.normals[c], body));
-    body.faces.put(face.fragment);
-    body.faces.put(std::uint32_t{face.material});
-    body.faces.put(static_cast<std::uint8_t>(face.inside ? 1 : 0));
+    bytes.put(face.cornerCount);
+    for (unsigned c = 0; c < face.cornerCount; ++c) bytes.put(*corner++);
   }
-  return body;
+  return bytes;
 }
 
 void writeBytes(const sim::ByteWriter& bytes, TextOutput& out) {
@@ -48,22 +42,20 @@ void writeBytes(const sim::ByteWriter& bytes, TextOutput& out) {
 
 sim::Status writeSurface(const std::filesystem::path& path, const sim::TakeReader& take,
                          const sim::SurfaceMesh& mesh, const sim::Snapshot& frame) {
-  const PlyBody body = bodyOf(mesh, damageOfNodes(take.network(), frame));
+  const SurfaceVertices made = verticesOf(mesh);
   TextOutput out(path);
   out << "ply\nformat binary_little_endian 1.0\ncomment Smithereens surface, cm, z up, time " << frame.time
       << " s\n";
   const std::vector<std::string> names = materialNames(take.network());
   for (std::size_t i = 0; i < names.size(); ++i)
     out << "comment material " << std::uint64_t{i} << " is " << names[i] << "\n";
-  out << "element vertex " << std::uint64_t{body.known.size()}
+  out << "element vertex " << std::uint64_t{made.vertices.size()}
       << "\nproperty float x\nproperty float y\nproperty float z"
          "\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float damage"
-         "\nelement face "
-      << std::uint64_t{mesh.faces.size()}
-      << "\nproperty list uchar uint vertex_indices\nproperty uint fragment\nproperty uint material"
-         "\nproperty uchar inside\nend_header\n";
-  writeBytes(body.vertices, out);
-  writeBytes(body.faces, out);
+         "\nproperty uint fragment\nproperty uint material\nproperty uchar inside\nelement face "
+      << std::uint64_t{mesh.faces.size()} << "\nproperty list uchar uint vertex_indices\nend_header\n";
+  writeBytes(verticesIn(mesh, made, damageOfNodes(take.network(), frame)), out);
+  writeBytes(facesIn(mesh, made), out);
   return out.finish();
 }
 

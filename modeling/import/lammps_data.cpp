@@ -2,28 +2,40 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 
+#include "modeling/import/lammps_atom_style.h"
+#include "modeling/import/lammps_checks.h"
+#include "modeling/import/lammps_header.h"
+#include "modeling/import/lammps_unwrap.h"
 #include "modeling/shapes/resolution.h"
 #include "modeling/text/line_tokens.h"
+#include "modeling/text/packed_text.h"
 #include "modeling/text/spelling.h"
-#include "modeling/text/text_file.h"
 
 namespace modeling {
 namespace {
 
 using sim::Vec3;
 
-struct Count {
-  std::int64_t value = 0;
-  std::uint32_t line = 0;  ///< 0: not stated
-};
+/// Names of sections. A line of numbers never begins like one.
+constexpr std::array<std::string_view, 5> kLabelSections{"Atom Type Labels", "Bond Type Labels",
+                                                         "Angle Type Labels", "Dihedral Type Labels",
+                                                         "Improper Type Labels"};
+constexpr std::array<std::string_view, 7> kOtherSections{"Angles", "Dihedrals", "Impropers", "Ellipsoids",
+                                                         "Lines",  "Triangles", "Bodies"};
 
 struct AtomId {
   std::int64_t id = 0;
   std::uint32_t node = 0;
 };
+
+using Image = std::array<std::int32_t, 3>;
+constexpr std::int64_t kMostBoxes = 1 << 20;  // LAMMPS' own limit is 512, or this
 
 /// Reads one file. Functions return false after noting the problem.
 class Reader {
@@ -34,11 +46,8 @@ class Reader {
     lines_.next();  // the first line is a title, whatever it says
     bool more = lines_.next();
     while (more && good()) {
-      if (!lines_.words().empty() && !readHeaderLine()) {
-        if (good()) more = readSection();
-        continue;
-      }
-      more = lines_.next();
+      const bool header = lines_.words().empty() || readHeaderLine();
+      if (good()) more = header ? lines_.next() : readSection();
     }
     if (good()) finish();
     if (problem_) return *problem_;
@@ -60,68 +69,76 @@ class Reader {
 
   /// True when the line was one of the header's.
   bool readHeaderLine() {
-    const std::vector<Token>& words = lines_.words();
-    const auto is = [&](std::size_t word, std::string_view text) {
-      return word < words.size() && words[word].text == text;
-    };
-    if (words.size() == 2 && is(1, "atoms")) return readCount(atoms_);
-    if (words.size() == 2 && is(1, "bonds")) return readCount(bonds_);
-    if (words.size() == 3 && is(1, "atom") && is(2, "types")) return readCount(atomTypes_);
-    if (words.size() == 3 && is(1, "bond") && is(2, "types")) return readCount(bondTypes_);
-    const std::string_view last = words.back().text;
-    return (words.size() == 4 && (last == "xhi" || last == "yhi" || last == "zhi")) || is(1, "extra") ||
-           (words.size() == 6 && last == "yz") || readOtherCount(words);
-  }
-
-  bool readCount(Count& count) {
-    const Token& word = lines_.words()[0];
-    const std::optional<std::int64_t> value = word.integer();
-    if (!value || *value < 0) {
-      return failAt(word, inQuotes(word.text) + " is no count", "give a whole number of at least 0");
-    }
-    count = {*value, lines_.line()};
+    const sim::Result<bool> read = readLammpsHeaderLine(lines_.words(), lines_.line(), header_);
+    if (read) return *read;
+    const sim::Problem& problem = read.problem();
+    fail(lines_.line(), static_cast<std::uint32_t>(std::stoul(problem.place)), problem.what, problem.remedy);
     return true;
   }
 
-  /// "0 angles" and the like say that there are none; anything else we could not honour.
-  bool readOtherCount(const std::vector<Token>& words) {
-    constexpr std::array<std::string_view, 9> kOthers{"angles",     "dihedrals", "impropers",
-                                                      "ellipsoids", "lines",     "triangles",
-                                                      "bodies",     "angle",     "dihedral"};
-    if (words.size() < 2 || std::find(kOthers.begin(), kOthers.end(), words[1].text) == kOthers.end())
-      return false;
-    if (words[0].integer() == 0) return true;
-    return failAt(words[1],
-                  "the file has " + std::string(words[1].text) + ", which nodes and bonds cannot stand for",
-                  "write it with atom_style bond");
+  static std::string sectionName(const std::vector<Token>& words) {
+    std::string name(words[0].text);
+    for (std::size_t i = 1; i < words.size() && i < 4; ++i) name.append(1, ' ').append(words[i].text);
+    return name;
+  }
+
+  using ReadLine = bool (Reader::*)();
+  /// What reads the lines of a section; nothing for one that is not ours.
+  std::optional<ReadLine> readerOf(const std::string& name) const {
+    if (name == "Masses") return &Reader::readMass;
+    if (name == "Atoms") return &Reader::readAtom;
+    if (name == "Velocities") return &Reader::readVelocity;
+    if (name == "Bonds") return &Reader::readBond;
+    if (name.ends_with("Coeffs")) return &Reader::passOver;
+    if (name == kLabelSections[0]) return &Reader::readAtomLabel;
+    if (name == kLabelSections[1]) return &Reader::readBondLabel;
+    const auto is = [&](std::string_view known) { return known == name; };
+    if (std::any_of(kLabelSections.begin(), kLabelSections.end(), is)) return &Reader::passOver;
+    if (std::any_of(kOtherSections.begin(), kOtherSections.end(), is)) return &Reader::refuseLine;
+    return std::nullopt;
   }
 
   /// Reads a section; the reader then stands on the line behind it. False at the end of the text or after a
   /// problem.
   bool readSection() {
     const std::vector<Token> words = lines_.words();
-    std::string name(words[0].text);
-    for (std::size_t i = 1; i < words.size() && i < 4; ++i) name.append(1, ' ').append(words[i].text);
-    if (name == "Atoms" && !checkAtomStyle(words[0])) return false;
-    if (name == "Atoms") data_.atomsLine = lines_.line();
-    const bool coefficients = words.back().text == "Coeffs";
-    bool (Reader::*readLine)() = nullptr;
-    if (name == "Masses") readLine = &Reader::readMass;
-    if (name == "Atoms") readLine = &Reader::readAtom;
-    if (name == "Velocities") readLine = &Reader::readVelocity;
-    if (name == "Bonds") readLine = &Reader::readBond;
-    if (readLine == nullptr && !coefficients) {
-      return failAt(words[0], "there is no section " + inQuotes(name) + " in a file of nodes and bonds",
-                    didYouMean(name, {"Masses", "Atoms", "Velocities", "Bonds"}));
+    section_ = sectionName(words);
+    if (section_ == "Atoms" && !takeAtomStyle(words[0])) return false;
+    if (section_ == "Atoms") data_.atomsLine = lines_.line();
+    const std::optional<ReadLine> readLine = readerOf(section_);
+    if (!readLine) {
+      return failAt(words[0], "there is no section " + inQuotes(section_) + " in a file of nodes and bonds",
+                    didYouMean(section_, {"Masses", "Atoms", "Velocities", "Bonds"}));
     }
-    if (readLine == &Reader::readVelocity || readLine == &Reader::readBond) sortIds();
+    if (*readLine == &Reader::readVelocity || *readLine == &Reader::readBond) sortIds();
     while (lines_.next()) {
       if (lines_.words().empty()) continue;
-      if (!lines_.words()[0].number() && !isDamagedNumber(lines_.words())) return true;
-      if (readLine != nullptr && !(this->*readLine)()) return false;
+      if (beginsSection(*readLine == &Reader::passOver)) return true;
+      if (!(this->**readLine)()) return false;
     }
     return false;
   }
+
+  /// Lines that are passed over may begin with a label.
+  bool beginsSection(bool passedOver) const {
+    if (passedOver) return readerOf(sectionName(lines_.words())).has_value();
+    return !lines_.words()[0].number() && !isDamagedNumber(lines_.words());
+  }
+  bool passOver() { return true; }
+  bool refuseLine() {
+    return failAt(lines_.words()[0],
+                  "the file has " + inQuotes(section_) + ", which nodes and bonds cannot stand for",
+                  "write it with atom_style bond");
+  }
+
+  bool readLabel(std::map<std::string, std::int64_t>& labels) {
+    std::int64_t type = 0;
+    if (!wordCount({2}, "type label") || !readInteger(0, "the type", type)) return false;
+    return labels.emplace(lines_.words()[1].text, type).second ||
+           failAt(lines_.words()[1], "this label is given twice", "name types apart");
+  }
+  bool readAtomLabel() { return readLabel(atomLabels_); }
+  bool readBondLabel() { return readLabel(bondLabels_); }
 
   /// A line of a section starts with a number; the name of the next section has no digits in it.
   static bool isDamagedNumber(const std::vector<Token>& words) {
@@ -129,18 +146,29 @@ class Reader {
            (words.size() > 1 && words[1].number().has_value());
   }
 
-  bool checkAtomStyle(const Token& word) {
+  bool takeAtomStyle(const Token& word) {
     if (data_.atomsLine != 0) return failAt(word, "there is a second section \"Atoms\"", "keep one of them");
-    const std::string_view style = lines_.comment();
-    return style.empty() || style == "bond" ||
-           failAt(word, "the atoms are of style " + inQuotes(style), "write them with atom_style bond");
+    const std::string_view name = lines_.comment();
+    const auto known = std::find_if(kLammpsAtomStyles.begin(), kLammpsAtomStyles.end(),
+                                    [&](const LammpsAtomStyle& style) { return style.name == name; });
+    if (known != kLammpsAtomStyles.end()) style_ = *known;
+    return name.empty() || known != kLammpsAtomStyles.end() ||
+           failAt(word, "the atoms are of style " + inQuotes(name), "write them with atom_style bond");
   }
 
-  bool wordCount(std::size_t least, std::string_view form) {
+  bool wordCount(std::initializer_list<std::size_t> counts, std::string_view form) {
     const std::vector<Token>& words = lines_.words();
-    if (words.size() == least || (least == 6 && words.size() == 9)) return true;
+    if (std::find(counts.begin(), counts.end(), words.size()) != counts.end()) return true;
     return failAt(words[0], "this line has " + std::to_string(words.size()) + " words",
                   "write " + std::string(form));
+  }
+
+  /// By its number or its label.
+  bool readType(std::size_t word, const std::map<std::string, std::int64_t>& labels, std::int64_t& out) {
+    const auto known = labels.find(std::string(lines_.words()[word].text));
+    if (known == labels.end()) return readInteger(word, "the type", out);
+    out = known->second;
+    return true;
   }
 
   bool readInteger(std::size_t word, std::string_view what, std::int64_t& out) {
@@ -166,7 +194,7 @@ class Reader {
 
   bool readMass() {
     std::int64_t type = 0;
-    if (!wordCount(2, "type mass") || !readInteger(0, "the type", type)) return false;
+    if (!wordCount({2}, "type mass") || !readType(0, atomLabels_, type)) return false;
     const Token& word = lines_.words()[1];
     const std::optional<double> mass = word.number();
     if (!mass || *mass <= 0.0)
@@ -179,32 +207,55 @@ class Reader {
     AtomId atom{0, static_cast<std::uint32_t>(ids_.size())};
     std::int64_t type = 0;
     Vec3 position = Vec3::Zero();
+    Image image{};
     if (ids_.size() >= kMaxLatticeNodes) {
       return failAt(lines_.words()[0], "there are more than " + std::to_string(kMaxLatticeNodes) + " atoms",
                     "use fewer");
     }
-    if (!wordCount(6, "id molecule type x y z") || !readInteger(0, "the id", atom.id) ||
-        !readInteger(2, "the type", type) || !readVector(3, position)) {
+    if (!wordCount({style_.words, style_.words + 3}, style_.form) || !readInteger(0, "the id", atom.id) ||
+        !readType(style_.type, atomLabels_, type) || !readVector(style_.position, position) ||
+        !readImage(image) || !readBall()) {
       return false;
-    }
-    for (std::size_t word = 6; word < lines_.words().size(); ++word) {
-      if (lines_.words()[word].integer() != 0) {
-        return failAt(lines_.words()[word], "this atom lies in another image of the box",
-                      "write unwrapped positions");
-      }
     }
     ids_.push_back(atom);
     atomLines_.push_back(lines_.line());
     types_.push_back(type);
+    images_.push_back(image);
     data_.positions.push_back(position);
     return true;
+  }
+
+  /// The image flags, if there are any.
+  bool readImage(Image& image) {
+    const std::vector<Token>& words = lines_.words();
+    for (std::size_t i = 0; style_.words + i < words.size(); ++i) {
+      const std::optional<std::int64_t> flag = words[style_.words + i].integer();
+      if (!flag || *flag < -kMostBoxes || *flag > kMostBoxes) {
+        return failAt(words[style_.words + i], "the image flag is " + inQuotes(words[style_.words + i].text),
+                      "give a whole number, by how many boxes the atom was moved");
+      }
+      image[i] = static_cast<std::int32_t>(*flag);
+    }
+    return true;
+  }
+
+  /// The mass of an atom that is a ball; of one without size the density is the mass.
+  bool readBall() {
+    if (style_.diameter == 0) return true;
+    Vec3 ball = Vec3::Zero();  // and the number behind, which readVector() has looked at
+    if (!readVector(style_.diameter, ball)) return false;
+    const double volume = ball[0] > 0.0 ? std::numbers::pi / 6.0 * ball[0] * ball[0] * ball[0] : 1.0;
+    data_.masses.push_back(volume * ball[1]);
+    return data_.masses.back() > 0.0 ||
+           failAt(lines_.words()[style_.diameter + 1], "the atom has no mass", "give a density above 0");
   }
 
   bool readVelocity() {
     std::int64_t id = 0;
     Vec3 velocity = Vec3::Zero();
     std::uint32_t node = 0;
-    if (!wordCount(4, "id vx vy vz") || !readInteger(0, "the id", id) || !readVector(1, velocity) ||
+    // Balls turn, which nodes do not.
+    if (!wordCount({4, 7}, "id vx vy vz") || !readInteger(0, "the id", id) || !readVector(1, velocity) ||
         !findNode(0, id, node)) {
       return false;
     }
@@ -219,9 +270,10 @@ class Reader {
     std::array<std::int64_t, 2> ends{};
     LammpsBond bond;
     bond.line = lines_.line();
-    if (!wordCount(4, "id type node node") || !readInteger(1, "the type", type) ||
-        !readInteger(2, "the node", ends[0]) || !readInteger(3, "the node", ends[1]) ||
-        !findNode(2, ends[0], bond.a) || !findNode(3, ends[1], bond.b)) {
+    if (!wordCount({4}, "id type node node") || !readInteger(0, "the id", bond.id) ||
+        !readType(1, bondLabels_, type) || !readInteger(2, "the node", ends[0]) ||
+        !readInteger(3, "the node", ends[1]) || !findNode(2, ends[0], bond.a) ||
+        !findNode(3, ends[1], bond.b)) {
       return false;
     }
     if (bond.a == bond.b)
@@ -250,7 +302,7 @@ class Reader {
     return true;
   }
 
-  bool checkCount(std::string_view what, const Count& stated, std::size_t found) {
+  bool checkCount(std::string_view what, const LammpsHeader::Count& stated, std::size_t found) {
     if (stated.line != 0 && stated.value == static_cast<std::int64_t>(found)) return true;
     if (stated.line == 0 && found == 0) return true;
     const std::string claim = stated.line == 0 ? "no count" : std::to_string(stated.value);
@@ -261,8 +313,8 @@ class Reader {
   }
 
   void finish() {
-    if (!checkCount("atoms", atoms_, data_.positions.size()) ||
-        !checkCount("bonds", bonds_, data_.bonds.size()))
+    if (!checkCount("atoms", header_.atoms, data_.positions.size()) ||
+        !checkCount("bonds", header_.bonds, data_.bonds.size()))
       return;
     if (data_.positions.empty()) {
       fail(1, 1, "there are no atoms in this file", "give a LAMMPS data file with a section \"Atoms\"");
@@ -273,7 +325,44 @@ class Reader {
            "give one an atom");
       return;
     }
-    if (checkIds() && checkBonds()) giveMasses();
+    if (checkIds() && checkBonds() && giveMasses() && unwrap()) checkPlaces();
+  }
+
+  /// Positions as if there were no box.
+  bool unwrap() {
+    const std::optional<LammpsBox> box = header_.box();
+    const auto moved =
+        std::find_if(images_.begin(), images_.end(), [](const Image& image) { return image != Image{}; });
+    if (moved != images_.end() && !box) {
+      return fail(atomLines_[static_cast<std::size_t>(moved - images_.begin())], 1,
+                  "this atom lies in another image of the box, and the header states no box",
+                  "state the box, or write unwrapped positions");
+    }
+    if (!box) return true;
+    for (std::size_t node = 0; node < images_.size(); ++node) {
+      const Image& image = images_[node];
+      data_.positions[node] += box->edges * Vec3(image[0], image[1], image[2]);
+    }
+    const sim::Status unwrapped = unwrapBonds(*box, source_, data_);
+    if (!unwrapped) problem_ = unwrapped.problem();
+    return unwrapped.ok();
+  }
+
+  /// A bond needs a direction. Nodes that no bond joins may be in one place, as at a cut.
+  void checkPlaces() {
+    for (const LammpsBond& bond : data_.bonds) {
+      if (data_.positions[bond.a] != data_.positions[bond.b]) continue;
+      fail(bond.line, 1,
+           "bond " + std::to_string(bond.id) + " joins atoms that are in one place, those of lines " +
+               std::to_string(atomLines_[bond.a]) + " and " + std::to_string(atomLines_[bond.b]),
+           "move one of them, or make them one atom");
+      return;
+    }
+    const auto two = twoInOnePlace(data_.positions);
+    if (!two) return;
+    data_.notes.push_back(source_ + ':' + std::to_string(atomLines_[two->second]) +
+                          ":1: this atom is in one place with that of line " +
+                          std::to_string(atomLines_[two->first]));
   }
 
   bool checkIds() {
@@ -287,48 +376,41 @@ class Reader {
 
   bool checkBonds() {
     for (const LammpsBond& bond : data_.bonds) {
-      if (bondTypes_.line == 0 || bond.type <= bondTypes_.value) continue;
+      if (header_.bondTypes.line == 0 || bond.type <= header_.bondTypes.value) continue;
       return fail(bond.line, 1,
-                  "the header has " + std::to_string(bondTypes_.value) +
+                  "the header has " + std::to_string(header_.bondTypes.value) +
                       " bond types, this bond is of type " + std::to_string(bond.type),
                   "correct one of the two");
     }
-    const auto pairOf = [](const LammpsBond& bond) {
-      return std::uint64_t{std::min(bond.a, bond.b)} << 32U | std::max(bond.a, bond.b);
-    };
-    std::vector<std::uint64_t> pairs;
-    for (const LammpsBond& bond : data_.bonds) pairs.push_back(pairOf(bond));
-    std::sort(pairs.begin(), pairs.end());
-    const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
-    if (twice == pairs.end()) return true;
-    const auto second = std::find_if(data_.bonds.rbegin(), data_.bonds.rend(),
-                                     [&](const LammpsBond& bond) { return pairOf(bond) == *twice; });
-    return fail(second->line, 1, "these two nodes are bonded already", "keep one bond a pair");
+    const std::optional<LammpsBond> second = secondOfPair(data_.bonds);
+    return !second || fail(second->line, 1, "these two nodes are bonded already", "keep one bond a pair");
   }
 
-  void giveMasses() {
+  bool giveMasses() {
+    if (style_.diameter != 0) return true;
     for (std::size_t node = 0; node < types_.size(); ++node) {
       const auto mass = masses_.find(types_[node]);
       if (mass == masses_.end()) {
-        fail(atomLines_[node], 1, "atoms of type " + std::to_string(types_[node]) + " have no mass",
-             "add the type to the section \"Masses\"");
-        return;
+        return fail(atomLines_[node], 1, "atoms of type " + std::to_string(types_[node]) + " have no mass",
+                    "add the type to the section \"Masses\"");
       }
       data_.masses.push_back(mass->second);
     }
+    return true;
   }
 
   LineTokens lines_;
   const std::string& source_;
   LammpsData data_;
-  Count atoms_;
-  Count bonds_;
-  Count atomTypes_;
-  Count bondTypes_;
+  LammpsHeader header_;
+  LammpsAtomStyle style_ = kLammpsAtomStyles[0];
+  std::string section_;  ///< that is being read
+  std::map<std::string, std::int64_t> atomLabels_, bondLabels_;
   std::map<std::int64_t, double> masses_;
   std::vector<AtomId> ids_;  ///< in file order until the first section that looks them up
   std::vector<std::int64_t> types_;
   std::vector<std::uint32_t> atomLines_;
+  std::vector<Image> images_;
   std::size_t velocityCount_ = 0;
   std::optional<sim::Problem> problem_;
 };
@@ -340,7 +422,7 @@ sim::Result<LammpsData> parseLammpsData(std::string_view text, const std::string
 }
 
 sim::Result<LammpsData> loadLammpsData(const std::filesystem::path& file) {
-  const sim::Result<std::string> text = readTextFile(file, kLargestLammpsFile);
+  const sim::Result<std::string> text = readPackedTextFile(file, kLargestLammpsFile);
   if (!text) return text.problem();
   return parseLammpsData(*text, file.string());
 }

@@ -167,6 +167,7 @@ class PartBuilder {
       return hasLine(data.problem())
                  ? data.problem()
                  : within(index, {"file", shape.file + ": " + data.problem().what, data.problem().remedy});
+    for (const std::string& note : data->notes) built_.remarks.push_back(inQuotes(made.name) + ": " + note);
     made.lattice.nodes = std::move(data->positions);
     made.looseMasses = std::move(data->masses);
     if (!data->velocities.empty()) made.looseVelocities = std::move(data->velocities);

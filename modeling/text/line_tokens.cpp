@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
 
-/// Lines of the sections we read have at most nine words; a damaged line of millions of words need not be
-/// kept.
-constexpr std::size_t kMostWords = 16;
-
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -51,7 +47,7 @@ bool LineTokens::next() {
   }
   const std::string_view content = whole.substr(0, hash);
   std::size_t at = content.find_first_not_of(kBlanks);
-  while (at != std::string_view::npos && words_.size() < kMostWords) {
+  while (at != std::string_view::npos && words_.size() < mostWords_) {
     const std::size_t stop = std::min(content.find_first_of(kBlanks, at), content.size());
     words_.push_back({content.substr(at, stop - at), static_cast<std::uint32_t>(at + 1)});
     at = content.find_first_not_of(kBlanks, stop);

@@ -21,7 +21,9 @@ struct Token {
 /// it.
 class LineTokens {
  public:
-  explicit LineTokens(std::string_view text) : rest_(text) {}
+  /// Words of a line beyond `mostWords` are not kept: a damaged line may have millions.
+  explicit LineTokens(std::string_view text, std::size_t mostWords = 16)
+      : rest_(text), mostWords_(mostWords) {}
 
   /// To the next line; false at the end of the text.
   bool next();
@@ -32,6 +34,7 @@ class LineTokens {
 
  private:
   std::string_view rest_;
+  std::size_t mostWords_;
   std::uint32_t line_ = 0;
   std::vector<Token> words_;
   std::string_view comment_;

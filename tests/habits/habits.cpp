@@ -42,7 +42,7 @@ struct Library {
   std::string_view name;
   std::string_view firstRoom;
 };
-constexpr std::array<Library, 13> kLibraries = {{{"Qt", "Qt", "ui"},
+constexpr std::array<Library, 14> kLibraries = {{{"Qt", "Qt", "ui"},
                                                  {"GL/", "OpenGL", "ui"},
                                                  {"embree", "Embree", "ui"},
                                                  {"png.h", "libpng", "ui"},
@@ -52,6 +52,7 @@ constexpr std::array<Library, 13> kLibraries = {{{"Qt", "Qt", "ui"},
                                                  {"assimp/", "assimp", "modeling"},
                                                  {"draco/", "Draco", "modeling"},
                                                  {"meshoptimizer", "meshoptimizer", "modeling"},
+                                                 {"zlib.h", "zlib", "modeling"},
                                                  {"CLI/", "CLI11", "app"},
                                                  {"benchmark/", "Google Benchmark", "tests"},
                                                  {"catch2/", "Catch2", "tests"}}};

@@ -3,6 +3,10 @@
 #include <fstream>
 #include <numbers>
 
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
 #include <ImfRgbaFile.h>
 #include <catch2/catch.hpp>
 
@@ -85,6 +89,53 @@ TEST_CASE("OpenEXR and Radiance images of the environment are read to the number
     }
     std::filesystem::remove(path);
   }
+}
+
+/// The same image in channels of these names, with one that is no colour.
+void writeLayers(const std::filesystem::path& path, const std::array<std::string, 3>& names,
+                 const std::string& other) {
+  std::array<std::vector<float>, 3> colours;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      for (std::size_t i = 0; i < 3; ++i) colours[i].push_back(lightAt(x, y)[static_cast<Eigen::Index>(i)]);
+    }
+  }
+  std::vector<float> wrong(colours[0].size(), 77.0F);
+  Imf::Header header(kWidth, kHeight);
+  Imf::FrameBuffer buffer;
+  const auto add = [&](const std::string& name, std::vector<float>& numbers) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(numbers.data()), sizeof(float),
+                                   sizeof(float) * kWidth));
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!names[i].empty()) add(names[i], colours[i]);
+  }
+  if (!other.empty()) add(other, wrong);
+  Imf::OutputFile file(path.c_str(), header);
+  file.setFrameBuffer(buffer);
+  file.writePixels(kHeight);
+}
+
+TEST_CASE("an OpenEXR image in layers lights by the layer of its colours, or says what channels it has") {
+  const auto path = temporary("layers.exr");
+  const std::array<std::array<std::string, 4>, 4> kinds{
+      {{"View Layer.Combined.R", "View Layer.Combined.G", "View Layer.Combined.B", "AO.Y"},
+       {"sky.r", "sky.g", "sky.b", "Z"},
+       {"R", "G", "B", "diffuse.R"},
+       {"beauty.R", "beauty.G", "beauty.B", "A"}}};
+  for (const auto& names : kinds) {
+    INFO(names[0]);
+    writeLayers(path, {names[0], names[1], names[2]}, names[3]);
+    const auto image = ui::readEnvironment(path);
+    REQUIRE(image.ok());
+    CHECK((image->pixels[7] == lightAt(7 % kWidth, 7 / kWidth)).all());
+  }
+  writeLayers(path, {"normal.X", "normal.Y", "normal.Z"}, "depth.Z");
+  const auto none = ui::readEnvironment(path);
+  REQUIRE_FALSE(none.ok());
+  CHECK_THAT(none.problem().line(), Catch::Contains("depth.Z, normal.X, normal.Y, normal.Z"));
+  std::filesystem::remove(path);
 }
 
 TEST_CASE("a PNG lights by what its sRGB stands for") {

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <memory>
 #include <optional>
 
-#include <ImfRgbaFile.h>
 #include <png.h>
 
 // Of the many formats it knows, only Radiance's is let in.
@@ -18,6 +16,8 @@
 #define STBI_ONLY_HDR
 #define STBI_MAX_DIMENSIONS 8192
 #include <stb/stb_image.h>
+
+#include "ui/picture/exr_file.h"
 
 namespace ui {
 
@@ -58,25 +58,19 @@ EnvironmentImage blank(std::int64_t width, std::int64_t height) {
 }
 
 sim::Result<EnvironmentImage> readExr(const std::filesystem::path& path) {
-  try {
-    Imf::RgbaInputFile file(path.c_str());
-    const auto box = file.dataWindow();
-    const std::int64_t width = std::int64_t{box.max.x} - box.min.x + 1;
-    const std::int64_t height = std::int64_t{box.max.y} - box.min.y + 1;
-    if (auto problem = wrongSize(width, height)) return *problem;
-    EnvironmentImage image = blank(width, height);
-    std::vector<Imf::Rgba> row(static_cast<std::size_t>(width));
-    auto pixel = image.pixels.begin();
-    for (int y = box.min.y; y <= box.max.y; ++y) {
-      // One row stands for all, whatever its number.
-      file.setFrameBuffer(row.data() - box.min.x, 1, 0);
-      file.readPixels(y);
-      for (const Imf::Rgba& read : row) *pixel++ = {cleaned(read.r), cleaned(read.g), cleaned(read.b)};
-    }
-    return image;
-  } catch (const std::exception&) {
-    return damaged("OpenEXR image");
-  }
+  EnvironmentImage image;
+  auto pixel = image.pixels.begin();
+  const auto start = [&](std::int64_t width, std::int64_t height) {
+    auto problem = wrongSize(width, height);
+    if (!problem) image = blank(width, height);
+    pixel = image.pixels.begin();
+    return problem;
+  };
+  const auto row = [&](const std::vector<Light>& lights) {
+    for (const Light& light : lights) *pixel++ = {cleaned(light[0]), cleaned(light[1]), cleaned(light[2])};
+  };
+  if (auto status = readExrColours(path, {start, row}); !status) return status.problem();
+  return image;
 }
 
 /// What stb_image reads from; it takes zeros where there is nothing more.

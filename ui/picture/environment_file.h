@@ -19,9 +19,9 @@ struct EnvironmentImage {
 inline constexpr int kLargestEnvironmentSide = 8192;
 inline constexpr int kMostEnvironmentPixels = 4096 * 2048 * 2;
 
-/// Reads OpenEXR, Radiance .hdr, or PNG (whose white is 1), told apart by their first bytes. A Problem, with
-/// little memory taken, for what cannot be read, is damaged or cut off, too large, or not twice as wide as
-/// high. What is no number or below zero in it is black.
+/// Reads OpenEXR (in layers too, exr_file.h), Radiance .hdr, or PNG (whose white is 1), told apart by their
+/// first bytes. A Problem, with little memory taken, for what cannot be read, is damaged or cut off, too
+/// large, or not twice as wide as high. What is no number or below zero in it is black.
 sim::Result<EnvironmentImage> readEnvironment(const std::filesystem::path& path);
 
 }  // namespace ui
