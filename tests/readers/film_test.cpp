@@ -89,8 +89,7 @@ std::array<Colour, 8> decoded(const std::string& film, const Size& size) {
   return fields;
 }
 
-/// The same as a browser shows them. Its painting by the processor has blues of any BT.709 film a dozen
-/// levels too dark; by a graphics card, and by its stand-in here, they are right.
+/// The same as a browser shows them, painted as by a graphics card (findings/blue-by-the-processor.sh).
 std::array<Colour, 8> shown(const std::string& film, const std::string& ending, const Size& size) {
   const bool isVideo = ending == ".mp4" || ending == ".mov" || ending == ".webm";
   const std::string type = ending == ".webm" ? "video/webm"
