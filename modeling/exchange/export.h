@@ -82,19 +82,17 @@ sim::Status writeCsv(const sim::TakeReader& take, const ExportRequest& request);
 /// the head of FILE.in and is told.
 sim::Status writeLammps(const sim::TakeReader& take, const ExportRequest& request);
 
-/// With more fragments than this a .glb has one skin instead of a node with a mesh for each: programs that
-/// read it take minutes for thousands of objects, and a second for thousands of joints.
-inline constexpr std::size_t kMostFragmentNodes = 500;
 /// How far any point of a rigid piece in a .glb may be from where all frames as keys would have it, cm. Half
 /// of what single precision keeps of a scene ten metres wide.
 inline constexpr double kKeyTolerance = 5e-5;
 
-/// glTF 2.0, binary (.glb): metres, y up. The fragments of the last frame, split where they will break, from
-/// the first frame on, loose nodes that are given to others left out; each a node "fragment_ID" that moves as
-/// the rigid motion that fits its nodes best, how well is told and stands in its `extras`, with id, parent,
-/// birth time, mass, part and frames a second. Materials MATERIAL_outside and MATERIAL_inside, vertex
-/// normals. COLOR_0 is white; its alpha, which opaque materials do not show, is 1 minus the damage of the
-/// last frame (damage.h). Keys are left out within kKeyTolerance.
+/// glTF 2.0, binary (.glb): metres, y up. Each fragment is a node "fragment_ID" that moves as the rigid
+/// motion which fits its nodes best; how well is told and stands in its `extras`, with id, parent, birth
+/// time, mass, part and frames a second. It is there from the frame in which it is born, as one closed mesh,
+/// rounded as pictures draw it; where something breaks off it, a mesh takes the place of another. So a body
+/// is whole until it breaks. Materials MATERIAL_outside and MATERIAL_inside, vertex normals, texture
+/// coordinates, and damage (damage.h) as `_DAMAGE`, of the frame in which a mesh is first seen. Keys are left
+/// out within kKeyTolerance.
 sim::Status writeGlb(const sim::TakeReader& take, const ExportRequest& request);
 
 /// "folder/name.png" and 12 -> "folder/name.0012.png".

@@ -1,6 +1,9 @@
 #include "modeling/exchange/gltf_material.h"
 
 #include <cmath>
+#include <utility>
+
+#include "modeling/exchange/gltf_axes.h"
 
 namespace modeling {
 
@@ -26,16 +29,24 @@ double roughnessOf(const Look& look, bool inside) {
 
 }  // namespace
 
-Json gltfMaterial(const std::string& name, const Look& look, bool inside) {
-  const Colour& colour = inside ? look.inside : look.outside;
+Json gltfMaterial(const std::string& name, const Look& look, bool inside, double thickness) {
+  const bool glass = look.finish == Finish::glass;
+  const Colour& colour = inside && !glass ? look.inside : look.outside;
+  const Json light = {linear(colour[0]), linear(colour[1]), linear(colour[2])};
+  Json base = glass ? Json{1.0, 1.0, 1.0} : light;
+  base.push_back(1.0);
   Json material = {{"name", name},
                    {"pbrMetallicRoughness",
-                    {{"baseColorFactor", {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1.0}},
+                    {{"baseColorFactor", std::move(base)},
                      {"metallicFactor", 0.0},
                      {"roughnessFactor", roughnessOf(look, inside)}}}};
-  if (look.finish == Finish::glass) {
+  if (glass) {
     material["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 1.0}}},
-                              {"KHR_materials_ior", {{"ior", kGlassRefraction}}}};
+                              {"KHR_materials_ior", {{"ior", kGlassRefraction}}},
+                              {"KHR_materials_volume",
+                               {{"thicknessFactor", kMetresPerCentimetre * thickness},
+                                {"attenuationDistance", kMetresPerCentimetre * kGlassDepth},
+                                {"attenuationColor", light}}}};
   } else if (look.finish == Finish::glazed && !inside && look.glaze > 0.0) {
     material["extensions"] = {
         {"KHR_materials_clearcoat",

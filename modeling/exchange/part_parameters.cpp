@@ -95,8 +95,11 @@ sim::Result<PartParameters> PartParameters::create(const Scene& scene, const std
   return parameters;
 }
 
-FaceCoordinates PartParameters::coordinatesOf(const sim::SurfaceMesh& mesh,
-                                              const sim::SurfaceMesh::Face& face) const {
+FaceCoordinates PartParameters::textureCoordinates(const sim::SurfaceMesh& mesh,
+                                                   const sim::SurfaceMesh::Face& face) const {
+  FaceCoordinates coordinates;
+  coordinates.fill(Eigen::Vector2f::Zero());
+  if (face.cell == sim::kNone) return coordinates;
   Corners corners;
   for (std::size_t c = 0; c < 8; ++c) corners[c] = network_->positions[network_->cells[face.cell][c]];
   const CellParameters& parameters = cells_[face.cell];
@@ -115,20 +118,8 @@ FaceCoordinates PartParameters::coordinatesOf(const sim::SurfaceMesh& mesh,
     change += ((corner >> across & 1U) != 0 ? 0.25F : -0.25F) * parameters[corner];
   Eigen::Index left = 0;
   change.cwiseAbs().maxCoeff(&left);
-  FaceCoordinates coordinates;
   for (std::size_t c = 0; c < 4; ++c)
     coordinates[c] = {values[c][left == 0 ? 1 : 0], values[c][left == 2 ? 1 : 2]};
-  return coordinates;
-}
-
-std::vector<FaceCoordinates> PartParameters::textureCoordinates(const sim::SurfaceMesh& mesh) const {
-  std::vector<FaceCoordinates> coordinates;
-  coordinates.reserve(mesh.faces.size());
-  for (const auto& face : mesh.faces) {
-    FaceCoordinates none;
-    none.fill(Eigen::Vector2f::Zero());
-    coordinates.push_back(face.cell == sim::kNone ? none : coordinatesOf(mesh, face));
-  }
   return coordinates;
 }
 

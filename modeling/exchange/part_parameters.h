@@ -23,16 +23,15 @@ class PartParameters {
   static sim::Result<PartParameters> create(const Scene& scene, const std::filesystem::path& folder,
                                             const sim::Network& network);
 
-  /// One a face of the mesh. Of the parameters (u, v, w) in [0, 1]^3 of the part a face lies in, a face has
-  /// the two along it: on the outside of a pot u and v, on its rim u and w. Where a part closes in itself,
-  /// coordinates go on beyond 1 across the seam. Bodies drawn in place of loose nodes have (0, 0).
-  std::vector<FaceCoordinates> textureCoordinates(const sim::SurfaceMesh& mesh) const;
+  /// Of a face of the network's surface. Of the parameters (u, v, w) in [0, 1]^3 of the part a face lies in,
+  /// a face has the two along it: on the outside of a pot u and v, on its rim u and w. Where a part closes in
+  /// itself, coordinates go on beyond 1 across the seam. Bodies drawn in place of loose nodes have (0, 0).
+  FaceCoordinates textureCoordinates(const sim::SurfaceMesh& mesh, const sim::SurfaceMesh::Face& face) const;
 
  private:
   using CellParameters = std::array<Eigen::Vector3f, 8>;
 
   explicit PartParameters(const sim::Network& network) : network_(&network) {}
-  FaceCoordinates coordinatesOf(const sim::SurfaceMesh& mesh, const sim::SurfaceMesh::Face& face) const;
 
   const sim::Network* network_;
   std::vector<CellParameters> cells_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/SVD>
 
@@ -13,13 +14,13 @@ namespace {
 /// determine by less than a billionth of the step between two frames.
 constexpr double kMemory = 1e-9;
 
+}  // namespace
+
 Vec3 meanOf(const std::vector<sim::NodeIndex>& nodes, const std::vector<Vec3>& positions) {
   Vec3 sum = Vec3::Zero();
   for (const sim::NodeIndex node : nodes) sum += positions[node];
   return sum / static_cast<double>(nodes.size());
 }
-
-}  // namespace
 
 Eigen::Quaterniond bestRotation(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
                                 const Eigen::Quaterniond& before) {
@@ -83,23 +84,29 @@ void FitResidual::add(const FitResidual& other) {
   count += other.count;
 }
 
-RigidMotion::RigidMotion(const FinalFragment& fragment, const sim::Snapshot& first) : fragment_(&fragment) {
-  for (const sim::NodeIndex node : fragment.nodes) local_.push_back(first.positions[node] - fragment.origin);
-}
+RigidMotion::RigidMotion(const std::vector<Vec3>& first, Vec3 origin, Eigen::Quaterniond before)
+    : first_(&first), origin_(std::move(origin)), rotation_(std::move(before)) {}
 
-void RigidMotion::follow(const sim::Snapshot& frame) {
-  Pose pose;
-  pose.position = meanOf(fragment_->nodes, frame.positions);
-  if (poses_.empty()) {
-    poses_.push_back(pose);
+void RigidMotion::follow(const std::vector<sim::NodeIndex>& nodes, const std::vector<Vec3>& now) {
+  const Vec3 middle = meanOf(nodes, *first_);
+  const Vec3 middleNow = meanOf(nodes, now);
+  std::vector<Vec3> from, to;
+  from.reserve(nodes.size());
+  to.reserve(nodes.size());
+  for (const sim::NodeIndex node : nodes) {
+    from.push_back((*first_)[node] - middle);
+    to.push_back(now[node] - middleNow);
+  }
+  const auto isStill = [&](sim::NodeIndex node) { return now[node] == (*first_)[node]; };
+  if (std::all_of(nodes.begin(), nodes.end(), isStill)) {
+    // The first frame itself says nothing.
+    for (std::size_t i = 0; i < nodes.size() && !poses_.empty(); ++i) residual_.add(0.0);
+    poses_.push_back({origin_, rotation_ = Eigen::Quaterniond::Identity()});
     return;
   }
-  std::vector<Vec3> now;
-  now.reserve(local_.size());
-  for (const sim::NodeIndex node : fragment_->nodes) now.push_back(frame.positions[node] - pose.position);
-  pose.rotation = bestRotation(local_, now, poses_.back().rotation);
-  for (std::size_t i = 0; i < now.size(); ++i) residual_.add((now[i] - pose.rotation * local_[i]).norm());
-  poses_.push_back(pose);
+  rotation_ = bestRotation(from, to, rotation_);
+  for (std::size_t i = 0; i < to.size(); ++i) residual_.add((to[i] - rotation_ * from[i]).norm());
+  poses_.push_back({middleNow + rotation_ * (origin_ - middle), rotation_});
 }
 
 }  // namespace modeling

@@ -12,6 +12,8 @@ namespace modeling {
 
 using sim::Vec3;
 
+Vec3 meanOf(const std::vector<sim::NodeIndex>& nodes, const std::vector<Vec3>& positions);
+
 /// Where a rigid piece is: worldFromPiece, which takes a piece's own point p to position + rotation p. cm.
 struct Pose {
   Vec3 position = Vec3::Zero();
@@ -24,11 +26,10 @@ struct Pose {
 Eigen::Quaterniond bestRotation(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
                                 const Eigen::Quaterniond& before);
 
-/// The fragments that a take ends in, from its first frame on: before it breaks off, a fragment is the nodes
-/// that will be it.
+/// A fragment of a frame, and where its nodes were in the first one.
 struct FinalFragment {
-  sim::Fragment fragment;             ///< as in the last frame
-  sim::MovingFragment moving;         ///< as in the last frame
+  sim::Fragment fragment;             ///< as in the frame
+  sim::MovingFragment moving;         ///< likewise
   std::vector<sim::NodeIndex> nodes;  ///< ascending
   Vec3 origin = Vec3::Zero();         ///< mean of its nodes in the first frame, world, cm
   double radius = 0.0;                ///< of its nodes about the origin in the first frame, cm
@@ -48,21 +49,28 @@ struct FitResidual {
   void add(const FitResidual& other);
 };
 
-/// The rigid motion that fits a fragment's nodes best. In the first frame, with which it begins, the pose is
-/// the origin, unrotated.
+/// The rigid motion that fits a fragment's nodes best, which may become fewer: where it takes what was about
+/// its origin in the first frame.
 class RigidMotion {
  public:
-  RigidMotion(const FinalFragment& fragment, const sim::Snapshot& first);
+  /// `first`: of all nodes, cm; kept a reference to. `before`: how it is turned before the first that it
+  /// follows, as far as the nodes do not say.
+  RigidMotion(const std::vector<Vec3>& first, Vec3 origin,
+              Eigen::Quaterniond before = Eigen::Quaterniond::Identity());
 
-  /// Fits the next frame, starting from the pose before.
-  void follow(const sim::Snapshot& frame);
+  /// Fits these nodes of the next frame, starting from the pose before. Where they are still as in the first
+  /// frame, the pose is the origin, unrotated.
+  void follow(const std::vector<sim::NodeIndex>& nodes, const std::vector<Vec3>& now);
 
-  const std::vector<Pose>& poses() const { return poses_; }  ///< one a frame
+  const Vec3& origin() const { return origin_; }
+  const Eigen::Quaterniond& rotation() const { return rotation_; }  ///< of the last pose
+  const std::vector<Pose>& poses() const { return poses_; }         ///< one a frame followed
   const FitResidual& residual() const { return residual_; }
 
  private:
-  const FinalFragment* fragment_;
-  std::vector<Vec3> local_;  ///< the nodes about the origin in the first frame
+  const std::vector<Vec3>* first_;
+  Vec3 origin_;
+  Eigen::Quaterniond rotation_;
   std::vector<Pose> poses_;
   FitResidual residual_;
 };

@@ -5,13 +5,14 @@ In Blender: Scripting > Open this file, set FILE below, Run. Or from a shell:
   blender --python import_smithereens.py -- FILE [--play-at RATE]
 
 FILE is one of
-  NAME.glb   fragments as objects, or as one skin where there are more than 500
+  NAME.glb   fragments as objects; each is there from its birth on
   NAME.pc2   the deforming surface: NAME.obj beside it, moved by a Mesh Cache modifier
 
 The scene gets the frame rate of the recording, so that a second is a second. --play-at 24 shows every recorded
 frame at 24 frames a second instead: slow motion, where more were recorded.
 """
 import json
+import math
 import pathlib
 import sys
 
@@ -39,31 +40,91 @@ def set_range(frames):
     scene.frame_set(0)
 
 
-def extras_of(path):
-    """What the file's scene says of itself."""
+def contents_of(path):
+    """The two parts of a .glb: what describes it, and its numbers."""
     with open(path, "rb") as file:
         head = file.read(20)
         text = file.read(int.from_bytes(head[12:16], "little"))
-    return json.loads(text)["scenes"][0].get("extras", {})
+        file.read(8)
+        return json.loads(text), file.read()
+
+
+def numbers_of(about, binary, accessor):
+    """Of an accessor with one number each."""
+    read = about["accessors"][accessor]
+    view = about["bufferViews"][read["bufferView"]]
+    kind = {5126: "<f4", 5125: "<u4", 5123: "<u2"}[read["componentType"]]
+    offset = view.get("byteOffset", 0) + read.get("byteOffset", 0)
+    return numpy.frombuffer(binary, kind, read["count"], offset)
+
+
+def add_damage(about, binary):
+    """Importers before Blender 4 leave attributes out that they do not know. A mesh has the vertices that its
+    primitives use, one primitive after the other."""
+    for mesh in about.get("meshes", []):
+        made = bpy.data.meshes.get(mesh["name"])
+        if made is None or "_DAMAGE" in made.attributes:
+            continue
+        damage = [numbers_of(about, binary, part["attributes"]["_DAMAGE"])[
+            numpy.unique(numbers_of(about, binary, part["indices"]))] for part in mesh["primitives"]]
+        damage = numpy.concatenate(damage)
+        if len(damage) == len(made.vertices):
+            made.attributes.new("_DAMAGE", "FLOAT", "POINT").data.foreach_set("value", damage)
+
+
+def set_absorption(about):
+    """What is left of light behind a metre of Blender's absorption is exp(-density (1 - colour)); of glTF's, the
+    attenuation colour is left behind the attenuation distance."""
+    for material in about.get("materials", []):
+        volume = material.get("extensions", {}).get("KHR_materials_volume")
+        made = bpy.data.materials.get(material["name"])
+        if volume is None or made is None:
+            continue
+        rates = [-math.log(max(colour, 1e-6)) / volume["attenuationDistance"] for colour in volume["attenuationColor"]]
+        for node in made.node_tree.nodes:
+            if node.type == "VOLUME_ABSORPTION" and max(rates) > 0:
+                node.inputs["Density"].default_value = max(rates)
+                node.inputs["Color"].default_value = [1 - rate / max(rates) for rate in rates] + [1]
+
+
+def hide_where_scaled_away(thing):
+    """What is not there has the scale 0 in the file. An object that is hidden costs nothing and can be picked
+    when it is there."""
+    action = thing.animation_data.action if thing.animation_data else None
+    scales = [curve for curve in action.fcurves if curve.data_path == "scale"] if action else []
+    if not scales:
+        return
+    for key in scales[0].keyframe_points:
+        thing.hide_viewport = thing.hide_render = key.co.y == 0
+        for path in ("hide_viewport", "hide_render"):
+            thing.keyframe_insert(path, frame=key.co.x)
+    for curve in scales:
+        action.fcurves.remove(curve)
+    thing.scale = (1, 1, 1)
 
 
 def load_glb(path):
-    extras = extras_of(path)
+    about, binary = contents_of(path)
+    extras = about["scenes"][0].get("extras", {})
     rate = extras.get("frames_per_second", 24.0)
     # Seconds become frames while importing, by the rate the scene has then; the importer reads it without
     # its divisor, so a rate that is no whole number is imported as the nearest and corrected afterwards.
     set_rate(max(1.0, round(rate)))
     bpy.ops.import_scene.gltf(filepath=str(path))
     set_rate(rate)
-    set_range(extras.get("frames", 1))
     for action in bpy.data.actions:
         for curve in action.fcurves:
             for key in curve.keyframe_points:
                 frame = key.co.x * (rate / max(1.0, round(rate)))
                 # A key at a whole frame but for rounding belongs to it.
                 key.co.x = round(frame) if abs(frame - round(frame)) < 1e-3 else frame
-                key.interpolation = "LINEAR"
+                key.interpolation = "CONSTANT" if curve.data_path == "scale" else "LINEAR"
             curve.update()
+    add_damage(about, binary)
+    set_absorption(about)
+    for thing in bpy.data.objects:
+        hide_where_scaled_away(thing)
+    set_range(extras.get("frames", 1))
 
 
 def head_of(path):

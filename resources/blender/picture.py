@@ -16,7 +16,8 @@ spec.loader.exec_module(importer)
 
 
 def things():
-    return [thing for thing in bpy.context.scene.objects if thing.type == "MESH" and thing.name != "ground"]
+    return [thing for thing in bpy.context.scene.objects
+            if thing.type == "MESH" and thing.name != "ground" and not thing.hide_render]
 
 
 def middle_of_most():

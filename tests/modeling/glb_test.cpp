@@ -1,5 +1,5 @@
-#include <fstream>
-#include <iterator>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include <assimp/Importer.hpp>
@@ -10,12 +10,15 @@
 
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/gltf_material.h"
+#include "modeling/exchange/rounded_surface.h"
+#include "modeling/material/glass.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "tests/sim/take_sample.h"
 #include "tests/support/change_broken.h"
 #include "tests/support/flying_pieces.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/read_glb.h"
 
 /// glTF files, read back by assimp.
 namespace {
@@ -36,6 +39,8 @@ std::filesystem::path written(const tests::ScratchFolder& scratch, const tests::
 aiMatrix4x4 localAt(const aiScene& scene, const aiNode& node, double seconds) {
   for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
     const aiAnimation& animation = *scene.mAnimations[a];
+    // assimp takes channels that it does not know for motion.
+    if (animation.mName != aiString("take")) continue;
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {
       const aiNodeAnim& channel = *animation.mChannels[c];
       if (channel.mNodeName != node.mName) continue;
@@ -58,7 +63,12 @@ aiMatrix4x4 localAt(const aiScene& scene, const aiNode& node, double seconds) {
                                               aiQuaternion::Interpolate(mixed, p, q, t);
                                               return mixed;
                                             });
-      return {aiVector3D(1, 1, 1), rotation, position};
+      // Whether it is there: the newest key counts.
+      aiVector3D scale = channel.mScalingKeys[0].mValue;
+      for (unsigned k = 1; k < channel.mNumScalingKeys; ++k) {
+        if (channel.mScalingKeys[k].mTime <= ticks + 1e-3) scale = channel.mScalingKeys[k].mValue;
+      }
+      return {scale, rotation, position};
     }
   }
   return node.mTransformation;
@@ -80,25 +90,15 @@ sim::FragmentId idOf(const std::string& name) {
 }
 
 void addNode(const aiScene& scene, const aiNode& node, double seconds, Points& points) {
+  const aiMatrix4x4 moved = globalAt(scene, node, seconds);
+  if (moved.Determinant() == 0) return;
   for (unsigned m = 0; m < node.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-    if (mesh.HasBones()) {
-      for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const aiBone& bone = *mesh.mBones[b];
-        const aiNode* joint = scene.mRootNode->FindNode(bone.mName);
-        REQUIRE(joint != nullptr);
-        const aiMatrix4x4 moved = globalAt(scene, *joint, seconds) * bone.mOffsetMatrix;
-        for (unsigned w = 0; w < bone.mNumWeights; ++w) {
-          if (bone.mWeights[w].mWeight < 0.5F) continue;
-          points[idOf(bone.mName.C_Str())].push_back(
-              ours(moved * mesh.mVertices[bone.mWeights[w].mVertexId]));
-        }
-      }
-      continue;
+    CHECK(!mesh.HasBones());
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      for (unsigned c = 0; c < 3; ++c)
+        points[idOf(node.mName.C_Str())].push_back(ours(moved * mesh.mVertices[mesh.mFaces[f].mIndices[c]]));
     }
-    const aiMatrix4x4 moved = globalAt(scene, node, seconds);
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
-      points[idOf(node.mName.C_Str())].push_back(ours(moved * mesh.mVertices[v]));
   }
   for (unsigned child = 0; child < node.mNumChildren; ++child)
     addNode(scene, *node.mChildren[child], seconds, points);
@@ -108,7 +108,8 @@ void checkFrames(const tests::MemoryTake& take, const aiScene& scene) {
   for (std::size_t frame = 0; frame < take.frameCount(); ++frame) {
     Points read;
     addNode(scene, *scene.mRootNode, take.frameTime(frame), read);
-    const auto expected = tests::pointsByFragment(tests::surfaceOfPieces(take, frame));
+    const auto expected =
+        tests::pointsByFragment(sim::SurfaceBuilder(take.network()).build(**take.frame(frame)));
     REQUIRE(read.size() == expected.size());
     double worst = 0.0;
     for (const auto& [id, points] : expected) worst = std::max(worst, tests::apart(points, read[id]));
@@ -130,40 +131,111 @@ TEST_CASE("another program finds every piece of a glb where it flies, frame by f
   checkFrames(take, *scene);
 }
 
-TEST_CASE("with more fragments than programs take as objects, a glb has one skin that moves alike") {
-  const tests::MemoryTake take = tests::flyingPieces(modeling::kMostFragmentNodes + 1, 5);
+TEST_CASE("hundreds of fragments are nodes of a glb each, which no bounds of a first pose hide") {
+  const tests::MemoryTake take = tests::flyingPieces(501, 5);
   const tests::ScratchFolder scratch;
+  const auto path = written(scratch, take);
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(written(scratch, take).string(), 0);
+  const aiScene* scene = importer.ReadFile(path.string(), 0);
   INFO(importer.GetErrorString());
   REQUIRE(scene != nullptr);
-  CHECK(scene->mNumMeshes == 2);
   checkFrames(take, *scene);
+  const tests::ReadGlb read(path);
+  CHECK(!read.json().contains("skins"));
+  // One for what was whole, and one for each piece.
+  CHECK(read.json().at("meshes").size() == 502);
+  // What every one of thousands adds to the file besides its numbers.
+  CHECK(std::filesystem::file_size(path) < 501 * 4500);
 }
 
-nlohmann::json jsonOf(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  REQUIRE(bytes.size() > 20);
-  std::uint32_t length = 0;
-  std::memcpy(&length, bytes.data() + 12, sizeof(length));
-  REQUIRE(20 + length <= bytes.size());
-  return nlohmann::json::parse(bytes.substr(20, length));
+TEST_CASE("in a glb a body is one closed mesh until it breaks, and in each frame the right ones are seen") {
+  const tests::MemoryTake take = tests::crumblingBar(6);
+  const tests::ScratchFolder scratch;
+  const tests::ReadGlb read(written(scratch, take));
+  CHECK(read.shownAt(0.0, false) == std::vector<std::string>{"fragment_0_from_0"});
+  for (std::size_t frame = 0; frame < take.frameCount(); ++frame) {
+    CAPTURE(frame);
+    // Keys have single precision, and count from where they are on.
+    const double seconds = static_cast<double>(static_cast<float>(take.frameTime(frame)));
+    // Fragment 0 looks otherwise in each frame, and those that came off as they did.
+    std::set<std::string> expected{"fragment_0_from_" + std::to_string(frame)};
+    for (std::size_t id = 1; id <= frame; ++id) expected.insert("fragment_" + std::to_string(id));
+    double volume = 0.0;
+    for (const bool extension : {false, true}) {
+      const auto shown = read.shownAt(seconds, extension);
+      CHECK(std::set<std::string>(shown.begin(), shown.end()) == expected);
+      CHECK(shown.size() == expected.size());
+    }
+    for (const std::string& name : expected) {
+      const auto triangles = read.triangles(name, seconds);
+      CHECK(tests::isClosed(triangles));
+      volume += tests::volumeOf(triangles);
+    }
+    // A bar of 11 cells of 1 cm^3; single precision.
+    CHECK(volume == Approx(11.0).epsilon(1e-5));
+    // Between frames nothing is gone and nothing there twice.
+    if (frame + 1 < take.frameCount())
+      CHECK(read.shownAt(seconds + 0.02, false) == read.shownAt(seconds, false));
+  }
 }
 
-/// A slab that stands still.
-tests::MemoryTake slabTake(const Vec3& size) {
+TEST_CASE("nothing of what will break is in the mesh of what is whole") {
+  const tests::ScratchFolder scratch;
+  const tests::ReadGlb broken(written(scratch, tests::crumblingBar(6)));
+  const auto whole = broken.triangles("fragment_0_from_0", 0.0);
+  CHECK(whole.size() == 2 * (4 * 11 + 2));
+  for (const auto& triangle : whole) {
+    const Vec3 across = (triangle[1].position - triangle[0].position)
+                            .cross(triangle[2].position - triangle[0].position)
+                            .normalized();
+    for (const auto& corner : triangle) {
+      CHECK(corner.damage == 0.0);
+      // A bar has flat sides: every normal is its side's.
+      CHECK((corner.normal - across).norm() < 1e-6);
+    }
+  }
+  double most = 0.0;
+  for (const auto& triangle : broken.triangles("fragment_5", 5.0)) {
+    for (const auto& corner : triangle) most = std::max(most, corner.damage);
+  }
+  CHECK(most > 0.0);
+  CHECK(most <= 1.0);
+  for (const auto& mesh : broken.json().at("meshes")) {
+    for (const auto& primitive : mesh.at("primitives"))
+      CHECK(!primitive.at("attributes").contains("COLOR_0"));
+  }
+}
+
+TEST_CASE("what a glb needs a program to know is nothing but glTF 2.0") {
+  const tests::ScratchFolder scratch;
+  const tests::ReadGlb read(written(scratch, tests::crumblingBar(3)));
+  CHECK(!read.json().contains("extensionsRequired"));
+  const std::set<std::string> used = read.json().at("extensionsUsed");
+  for (const char* name : {"KHR_node_visibility", "KHR_animation_pointer"}) CHECK(used.contains(name));
+  // Who plays nothing sees what is there at first, and who knows visibility but not how it is animated goes
+  // by the scale.
+  for (const char* name : {"fragment_1", "fragment_0_from_1"}) {
+    CHECK(read.node(name).at("scale") == nlohmann::json{0.0, 0.0, 0.0});
+    CHECK(read.node(name).at("extensions").at("KHR_node_visibility").at("visible") == true);
+  }
+  CHECK(!read.node("fragment_0_from_0").contains("scale"));
+  for (const auto& channel : read.json().at("animations")[0].at("channels"))
+    CHECK(channel.at("target").at("path") != "pointer");
+}
+
+/// A frame of one part of clay.
+tests::MemoryTake standing(modeling::PartShape shape) {
   modeling::Scene scene;
   modeling::SceneMaterial clay;
   clay.name = clay.values.name = "clay";
   clay.values.youngsModulus = 1e7;
   clay.values.threshold.mean = 0.05;
   scene.materials.push_back(clay);
-  modeling::Part slab;
-  slab.name = "slab";
-  slab.material = "clay";
-  slab.shape = modeling::SlabShape{size, {1.0, {}}};
-  scene.parts.push_back(slab);
+  modeling::Part part;
+  part.name = "part";
+  part.material = "clay";
+  part.shape = std::move(shape);
+  scene.parts.push_back(part);
   const sim::Network network = modeling::build(scene, {}).value().network;
   sim::Snapshot moment = sim::momentAtRest(network);
   tests::changeBroken(moment, [&](sim::Broken& broken) {
@@ -173,9 +245,42 @@ tests::MemoryTake slabTake(const Vec3& size) {
   return {network, {moment}, modeling::writeScene(scene)};
 }
 
+TEST_CASE("what pictures draw round is round in a glb: a handle of eight cells around") {
+  const double radius = 0.5;
+  modeling::CurvedCylinderShape handle;
+  handle.curve = {{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, 2), Vec3(0, 0, 3)}};
+  handle.halfWidth = handle.halfDepth = modeling::constantValue(radius);
+  handle.resolution.cellSize = 0.4;
+  const tests::ScratchFolder scratch;
+  const tests::ReadGlb read(written(scratch, standing(handle)));
+  const auto triangles = read.triangles("fragment_0", 0.0);
+  CHECK(tests::isClosed(triangles));
+  double widest = 0.0, off = 0.0, tilted = 0.0, straightest = 1.0;
+  std::size_t onSide = 0;
+  for (const auto& triangle : triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto& corner = triangle[c];
+      if (std::abs(corner.normal.z()) > 0.5) continue;
+      ++onSide;
+      const Vec3 out = Vec3(corner.position.x(), corner.position.y(), 0.0);
+      off = std::max(off, std::abs(out.norm() - radius));
+      tilted = std::max(tilted, (corner.normal - out.normalized()).norm());
+      const Vec3& next = triangle[(c + 1) % 3].position;
+      straightest = std::min(straightest, out.normalized().dot(Vec3(next.x(), next.y(), 0.0).normalized()));
+    }
+  }
+  widest = std::acos(straightest) * 180.0 / std::numbers::pi;
+  CHECK(onSide > 30 * 2 * 3);
+  // A cubic curve of an eighth of a turn is nearer to the circle than a ten thousandth of its radius.
+  CHECK(off < 1e-3 * radius);
+  CHECK(tilted < 0.02);
+  // Edges of the lattice are not quite even around.
+  CHECK(widest < 1.25 * modeling::kRoundAngle);
+}
+
 TEST_CASE("another program finds the parts' own parameters as texture coordinates of a glb") {
   const Vec3 size(6.0, 4.0, 3.0);
-  const tests::MemoryTake take = slabTake(size);
+  const tests::MemoryTake take = standing(modeling::SlabShape{size, {1.0, {}}});
   const tests::ScratchFolder scratch;
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(written(scratch, take).string(), 0);
@@ -234,37 +339,47 @@ TEST_CASE("another program finds the glaze of a glb on the outside alone") {
 TEST_CASE("glass goes into a glb clear, broken or not, and what is matt without a coat") {
   modeling::Look look;
   look.finish = modeling::Finish::glass;
+  look.outside = {0.8, 0.9, 0.87};
   for (const bool inside : {false, true}) {
-    const auto material = modeling::gltfMaterial("glass", look, inside);
+    const auto material = modeling::gltfMaterial("glass", look, inside, 0.6);
     CHECK(material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] == 1.0);
-    CHECK(modeling::gltfMaterialExtensions(material).size() == 2);
+    CHECK(modeling::gltfMaterialExtensions(material).size() == 3);
+    // What passes a pane is what pictures have behind it: the look's colour to the power of its depth.
+    const auto& volume = material["extensions"]["KHR_materials_volume"];
+    const double depth =
+        volume["thicknessFactor"].get<double>() / volume["attenuationDistance"].get<double>();
+    const double base = material["pbrMetallicRoughness"]["baseColorFactor"][0];
+    CHECK(base * std::pow(volume["attenuationColor"][0].get<double>(), depth) ==
+          Approx(std::pow(0.6038, 0.6 / modeling::kGlassDepth)).epsilon(1e-3));
   }
   look.finish = modeling::Finish::matte;
-  CHECK(modeling::gltfMaterialExtensions(modeling::gltfMaterial("clay", look, false)).empty());
+  CHECK(modeling::gltfMaterialExtensions(modeling::gltfMaterial("clay", look, false, 0.6)).empty());
 }
 
 TEST_CASE("a glb says of each fragment who it is, and of the whole how well it fits") {
   const tests::MemoryTake take = tests::flyingPieces(4, 25);
   const tests::ScratchFolder scratch;
   std::string remark;
-  const auto json = jsonOf(written(scratch, take, &remark));
+  const tests::ReadGlb read(written(scratch, take, &remark));
+  const auto& json = read.json();
   CHECK(remark.starts_with("4 fragments"));
   const auto& nodes = json.at("nodes");
-  REQUIRE(nodes.size() == 5);
+  // A root, the fragments, and the two that the first looked like.
+  REQUIRE(nodes.size() == 7);
   CHECK(nodes[0].at("extras").at("frames_per_second") == 24.0);
   CHECK(nodes[0].at("extras").at("fit_residual_max_cm") < 1e-9);
-  CHECK(nodes[1].at("extras").at("parent").is_null());
   for (std::size_t piece = 0; piece < 4; ++piece) {
-    const auto& node = nodes[piece + 1];
-    CHECK(node.at("name") == "fragment_" + std::to_string(piece));
+    const auto& node = read.node("fragment_" + std::to_string(piece));
+    CHECK(node.at("extras").at("parent").is_null() == (piece == 0));
     CHECK(node.at("extras").at("id") == piece);
     CHECK(node.at("extras").at("mass_g") == 8.0 + static_cast<double>(piece));
     CHECK(node.at("extras").at("birth_time_s") == (piece == 0 ? 0.0 : 0.01));
   }
   const auto& attributes = json.at("meshes")[0].at("primitives")[0].at("attributes");
-  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"}) CHECK(attributes.contains(name));
-  // The first lies still and the other three need both channels.
-  CHECK(json.at("animations")[0].at("channels").size() == 6);
+  for (const char* name : {"POSITION", "NORMAL", "_DAMAGE"}) CHECK(attributes.contains(name));
+  // The first lies still and the other three need both channels; five meshes come or go.
+  CHECK(json.at("animations")[0].at("channels").size() == 6 + 5);
+  CHECK(json.at("animations")[1].at("channels").size() == 5);
 }
 
 }  // namespace

@@ -78,16 +78,32 @@ TEST_CASE("rigid pieces are followed to rounding, and what deforms is told") {
   for (const auto& fragment : fragments) {
     CHECK(fragment.nodes.size() == 8);
     CHECK(fragment.radius == Approx(std::sqrt(0.75)));
-    modeling::RigidMotion motion(fragment, first);
-    for (std::size_t frame = 0; frame < 5; ++frame) motion.follow(**take.frame(frame));
+    modeling::RigidMotion motion(first.positions, fragment.origin);
+    for (std::size_t frame = 0; frame < 5; ++frame)
+      motion.follow(fragment.nodes, (*take.frame(frame))->positions);
     CHECK(motion.residual().largest < 1e-9);
     CHECK(motion.residual().count == 8 * 4);
 
     sim::Snapshot stretched = **take.frame(4);
     stretched.positions[fragment.nodes.front()] += Vec3(0.08, 0.0, 0.0);
-    motion.follow(stretched);
+    motion.follow(fragment.nodes, stretched.positions);
     CHECK(motion.residual().largest > 0.03);
     CHECK(motion.residual().largest < 0.08);
+  }
+}
+
+TEST_CASE("a fragment moves on as before when others have come off it") {
+  const tests::MemoryTake take = tests::flyingPieces(3, 5);
+  const sim::Snapshot& first = **take.frame(0);
+  const auto piece = modeling::finalFragments(first, **take.frame(4))[1];
+  modeling::RigidMotion whole(first.positions, piece.origin), lessened(first.positions, piece.origin);
+  std::vector<sim::NodeIndex> nodes = piece.nodes;
+  for (std::size_t frame = 0; frame < 5; ++frame) {
+    if (frame > 2) nodes.resize(5);
+    whole.follow(piece.nodes, (*take.frame(frame))->positions);
+    lessened.follow(nodes, (*take.frame(frame))->positions);
+    CHECK((whole.poses()[frame].position - lessened.poses()[frame].position).norm() < 1e-9);
+    CHECK(whole.poses()[frame].rotation.angularDistance(lessened.poses()[frame].rotation) < 1e-7);
   }
 }
 

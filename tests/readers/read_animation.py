@@ -1,4 +1,4 @@
-"""Run by Blender: imports a file as resources/blender/import_smithereens.py does, and writes where every vertex is.
+"""Run by Blender: imports a file as resources/blender/import_smithereens.py does, and writes where every vertex that is seen is.
 
 blender --background --factory-startup --python read_animation.py -- FILE FRAMES OUT
 Writes a line "FRAME OBJECT x y z" for each vertex, cm.
@@ -24,7 +24,7 @@ with open(out, "w") as file:
         scene.frame_set(scene.frame_start + frame)
         graph = bpy.context.evaluated_depsgraph_get()
         for thing in sorted(scene.objects, key=lambda thing: thing.name):
-            if thing.type != "MESH":
+            if thing.type != "MESH" or thing.hide_viewport:
                 continue
             evaluated = thing.evaluated_get(graph)
             mesh = evaluated.to_mesh()

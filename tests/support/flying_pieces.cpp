@@ -54,6 +54,22 @@ Eigen::Isometry3d moved(std::size_t piece, double time) {
   return now;
 }
 
+/// Breaks what joins nodes of different fragments.
+void breakBetweenFragments(const sim::Network& network, sim::Broken& broken) {
+  for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
+    for (const sim::NodeIndex node : network.cells[cell]) {
+      if (broken.fragmentOfNode[node] != broken.fragmentOfNode[network.cells[cell][0]])
+        broken.cells[cell] = 1;
+    }
+  }
+  for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
+    for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
+      const bool between = broken.fragmentOfNode[a] != broken.fragmentOfNode[network.bondEnds[bond]];
+      broken.bonds[bond] = between ? 1 : 0;
+    }
+  }
+}
+
 sim::Snapshot frameOf(const sim::Network& network, std::size_t pieces, std::size_t number) {
   sim::Snapshot frame = sim::momentAtRest(network);
   frame.time = static_cast<double>(number) / kFramesPerSecond;
@@ -70,13 +86,7 @@ sim::Snapshot frameOf(const sim::Network& network, std::size_t pieces, std::size
     frame.fragments = {{.id = 0}};
     return frame;
   }
-  for (sim::CellIndex cell = 1; cell < network.cellCount(); cell += 2) broken.cells[cell] = 1;
-  for (sim::NodeIndex a = 0; a < network.nodeCount(); ++a) {
-    for (sim::BondIndex bond = network.firstBond[a]; bond < network.firstBond[a + 1]; ++bond) {
-      const bool between = broken.fragmentOfNode[a] != broken.fragmentOfNode[network.bondEnds[bond]];
-      broken.bonds[bond] = between ? 1 : 0;
-    }
-  }
+  breakBetweenFragments(network, broken);
   for (std::size_t piece = 0; piece < pieces; ++piece) {
     const auto id = static_cast<sim::FragmentId>(piece);
     broken.fragments.push_back({.id = id,
@@ -96,6 +106,36 @@ MemoryTake flyingPieces(std::size_t pieces, std::size_t frames) {
   const sim::Network network = gridNetwork(1, 1, 2 * static_cast<unsigned>(pieces) - 1, folded);
   std::vector<sim::Snapshot> made;
   for (std::size_t number = 0; number < frames; ++number) made.push_back(frameOf(network, pieces, number));
+  return {network, std::move(made)};
+}
+
+MemoryTake crumblingBar(std::size_t pieces) {
+  const sim::Network network = gridNetwork(1, 1, 2 * static_cast<unsigned>(pieces) - 1);
+  std::vector<sim::Snapshot> made;
+  for (std::size_t number = 0; number < pieces; ++number) {
+    sim::Snapshot& frame = made.emplace_back(sim::momentAtRest(network));
+    frame.time = static_cast<double>(number) / kFramesPerSecond;
+    frame.stepCount = number;
+    sim::Broken broken = *frame.broken;
+    broken.fragments = {{.id = 0, .mass = 8.0}};
+    frame.fragments = {{.id = 0}};
+    for (sim::NodeIndex node = 0; node < network.nodeCount(); ++node) {
+      // The last piece comes off in frame 1, and so on; each rises from then on.
+      const std::size_t born = pieces - pieceOf(node, pieces);
+      if (born > number) continue;
+      broken.fragmentOfNode[node] = static_cast<sim::FragmentId>(born);
+      frame.positions[node].x() += 0.5 * static_cast<double>(number - born);
+    }
+    for (std::size_t id = 1; id <= number; ++id) {
+      broken.fragments.push_back({.id = static_cast<sim::FragmentId>(id),
+                                  .parent = 0,
+                                  .born = static_cast<double>(id) / kFramesPerSecond,
+                                  .mass = 8.0});
+      frame.fragments.push_back({.id = static_cast<sim::FragmentId>(id)});
+    }
+    breakBetweenFragments(network, broken);
+    frame.broken = sim::sealed(std::move(broken));
+  }
   return {network, std::move(made)};
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "modeling/material/glass.h"
 #include "ui/picture/linear.h"
 #include "ui/picture/picture.h"
 
@@ -15,14 +16,11 @@ struct DrawnLook {
   float glaze = 0.0F;                    ///< share of the surface under the glossy coat
   float roughness = 0.3F;                ///< GGX alpha of the coat
   bool grainy = false;                   ///< broken: fine bumps that stick to the material
-  bool glass = false;                    ///< clear: `colour` is what passes through kGlassDepth
+  bool glass = false;                    ///< clear: `colour` is what passes through modeling::kGlassDepth
 };
 
-/// cm of glass that give it its look's colour: a thick-walled dish seen through both sides.
-inline constexpr float kGlassDepth = 3.0F;
-
 inline Light glassColour(const DrawnLook& look, float depth) {
-  return look.colour.pow(depth / kGlassDepth);
+  return look.colour.pow(depth / static_cast<float>(modeling::kGlassDepth));
 }
 
 /// Everything a picture shows except floors, as quadrilaterals (a triangle repeats its last corner), relative

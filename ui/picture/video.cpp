@@ -20,21 +20,45 @@ struct Codec {
   std::vector<std::string> arguments;
 };
 
+/// Options by which ffmpeg makes a picture's sRGB to what films have, and says so in the file: BT.709 in
+/// limited range, whatever the size. Unasked, it takes BT.601 and says nothing, and players guess by size.
+/// `before`: filters of the picture, each with a comma behind it.
+std::vector<std::string> filmColours(const std::string& before) {
+  return {"-vf",
+          before +
+              "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int,"
+              "format=yuv420p,"
+              "setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709:range=tv",
+          "-colorspace",
+          "bt709",
+          "-color_primaries",
+          "bt709",
+          "-color_trc",
+          "bt709",
+          "-color_range",
+          "tv"};
+}
+
+std::vector<std::string> operator+(std::vector<std::string> first, const std::vector<std::string>& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
 const std::array<Codec, 6>& codecs() {
   // What players want of mp4 has an even number of pixels a side.
-  static const std::vector<std::string> kPlayable{"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                                  "-c:v",      "libx264",
-                                                  "-crf",      "17",
-                                                  "-preset",   "slow",
-                                                  "-pix_fmt",  "yuv420p",
-                                                  "-movflags", "+faststart"};
+  static const std::vector<std::string> kPlayable =
+      filmColours("pad=ceil(iw/2)*2:ceil(ih/2)*2,") +
+      std::vector<std::string>{"-c:v",    "libx264", "-crf",      "17",
+                               "-preset", "slow",    "-movflags", "+faststart+write_colr"};
+  static const std::vector<std::string> kWebm =
+      filmColours("") + std::vector<std::string>{"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0"};
   // A palette of the film's own; without it a gradient shows the steps of a general one.
   static const std::string kPalette =
       "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=sierra2_4a";
   static const std::array<Codec, 6> kCodecs{
       {{".mp4", kPlayable},
        {".mov", kPlayable},
-       {".webm", {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-pix_fmt", "yuv420p"}},
+       {".webm", kWebm},
        {".gif", {"-filter_complex", kPalette, "-loop", "0"}},
        {".webp", {"-c:v", "libwebp_anim", "-quality", "92", "-compression_level", "6", "-loop", "0"}},
        {".apng", {"-f", "apng", "-plays", "0"}}}};
