@@ -131,6 +131,7 @@ sim::Result<OutputFile> OutputFile::create(const fs::path& path) {
   OutputFile file(path);
   struct stat there {};
   const bool exists = ::stat(path.c_str(), &there) == 0;
+  if (!exists && errno == ELOOP) return file.failure(ELOOP);
   if (exists && S_ISDIR(there.st_mode)) return file.failure(EISDIR);
   if (exists && S_ISBLK(there.st_mode)) return file.failure(EPERM);
   const int standard = exists ? standardDescriptorOf(there) : -1;

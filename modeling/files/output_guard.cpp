@@ -1,5 +1,6 @@
 #include "modeling/files/output_guard.h"
 
+#include <cerrno>
 #include <map>
 #include <set>
 #include <utility>
@@ -44,7 +45,12 @@ sim::Status OutputGuard::checkOne(const PlannedFile& output) const {
   const std::string place = output.path.string();
   const std::string name = output.kind->name;
   struct stat there {};
-  if (::stat(output.path.c_str(), &there) != 0) return sim::Done{};
+  if (::stat(output.path.c_str(), &there) != 0) {
+    if (errno == ELOOP) return sim::Problem{place, "these links go round in a circle", "name a file"};
+    if (errno != ENOTDIR) return sim::Done{};
+    return sim::Problem{place, "this cannot be: what should be its folder is a file",
+                        "choose another folder"};
+  }
   if (S_ISDIR(there.st_mode)) return sim::Problem{place, "this is a folder", "name a file in it"};
   for (const fs::path& input : inputs_) {
     struct stat read {};
@@ -53,9 +59,10 @@ sim::Status OutputGuard::checkOne(const PlannedFile& output) const {
                           "name another file"};
   }
   const bool device = !S_ISREG(there.st_mode);
-  if (device ? output.kind->grows && !isNull(there) : output.kind->grows && isStandardOutput(there))
+  const bool needsFile = output.isOneOfMany || output.kind->grows;
+  const bool nowhere = isNull(there) && !output.isOneOfMany;
+  if (S_ISBLK(there.st_mode) || (needsFile && !nowhere && (device || isStandardOutput(there))))
     return sim::Problem{place, name + " cannot be written to this", "name a file"};
-  if (S_ISBLK(there.st_mode)) return sim::Problem{place, "this is a disk", "name a file"};
   if (device || force_ || isStandardOutput(there) || isOfKind(output.path, *output.kind)) return sim::Done{};
   return sim::Problem{place, "there is a file that is not " + name + ": it would be lost",
                       canForce_ ? "name another file, move that one away, or replace it with --force"

@@ -13,6 +13,7 @@ namespace modeling {
 struct PlannedFile {
   std::filesystem::path path;
   const FileKind* kind = nullptr;
+  bool isOneOfMany = false;  ///< what is named after one name cannot go to a pipe or a terminal
 };
 
 /// What a command reads and writes, to see before it begins that it spoils nothing.
@@ -32,10 +33,11 @@ class OutputGuard {
   }
   /// "" is not written.
   void writes(const std::filesystem::path& file, const FileKind& kind) {
-    if (!file.empty()) outputs_.push_back({file, &kind});
+    if (!file.empty()) outputs_.push_back({file, &kind, false});
   }
+  /// All that is made under one name.
   void writes(const std::vector<PlannedFile>& files) {
-    outputs_.insert(outputs_.end(), files.begin(), files.end());
+    for (const PlannedFile& file : files) outputs_.push_back({file.path, file.kind, files.size() > 1});
   }
 
   /// The first Problem there is; it names the output. Drafts that killed programs left beside outputs are

@@ -35,7 +35,9 @@ class Desk {
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
   /// In the folder; S and T stand for the scene and its take.
   tests::Answer run(const std::string& arguments) const {
@@ -65,19 +67,33 @@ constexpr const char* kSmall = " --size 8x8 --samples 1";
 TEST_CASE("an output never replaces what is read, a folder, another output or a file of another kind") {
   const Desk desk;
   const auto before = desk.content();
-  for (const std::string arguments :
-       {"simulate S --take S", "simulate S --report S", "simulate S --take link.json", "simulate S --report T",
-        "simulate S --take thesis.txt", "simulate S --report thesis.txt", "simulate S --take folder",
-        "simulate S --take x --report x", "simulate S --take x --report ./x", "resume T --report T",
-        "resume T --report twin.take", "resume T --from 0 --take twin.take", "resume T --from 0 --take S",
-        "export T --format xyz --out T", "export T --format xyz --out thesis.txt", "export T --format csv --out S",
-        "export T --format obj --out twin.take --frames 0", "export T --format obj --out x.mtl --frames 0",
-        "render T --out T", "render T --out thesis.txt", "render T --out twin.take", "render T --out folder",
-        "sweep S --vary solver.seed=1,2 --out thesis.txt",
-        "import-lammps thesis.txt --scene S --take thesis.txt", "import-lammps thesis.txt --scene S --take S"}) {
+  for (const std::string arguments : {"simulate S --take S",
+                                      "simulate S --report S",
+                                      "simulate S --take link.json",
+                                      "simulate S --report T",
+                                      "simulate S --take thesis.txt",
+                                      "simulate S --report thesis.txt",
+                                      "simulate S --take folder",
+                                      "simulate S --take x --report x",
+                                      "simulate S --take x --report ./x",
+                                      "resume T --report T",
+                                      "resume T --report twin.take",
+                                      "resume T --from 0 --take twin.take",
+                                      "resume T --from 0 --take S",
+                                      "export T --format xyz --out T",
+                                      "export T --format xyz --out thesis.txt",
+                                      "export T --format csv --out S",
+                                      "export T --format obj --out twin.take --frames 0",
+                                      "export T --format obj --out x.mtl --frames 0",
+                                      "render T --out T",
+                                      "render T --out thesis.txt",
+                                      "render T --out twin.take",
+                                      "render T --out folder",
+                                      "sweep S --vary solver.seed=1,2 --out thesis.txt",
+                                      "import-lammps thesis.txt --scene S --take thesis.txt",
+                                      "import-lammps thesis.txt --scene S --take S"}) {
     INFO(arguments);
-    const auto answer =
-        desk.run(arguments + (arguments.starts_with("render") ? kSmall : ""));
+    const auto answer = desk.run(arguments + (arguments.starts_with("render") ? kSmall : ""));
     INFO(answer.errors);
     CHECK(answer.status == 2);
     CHECK_FALSE(answer.errors.empty());
@@ -93,8 +109,7 @@ TEST_CASE("what is read stays even where a person forces") {
         "resume T --report T", "export T --format xyz --out T", "render T --out twin.take",
         "import-lammps thesis.txt --scene S --take thesis.txt"}) {
     INFO(arguments);
-    const auto answer =
-        desk.run(arguments + " --force" + (arguments.starts_with("render") ? kSmall : ""));
+    const auto answer = desk.run(arguments + " --force" + (arguments.starts_with("render") ? kSmall : ""));
     CHECK(answer.status == 2);
     CHECK(desk.content() == before);
   }
@@ -139,6 +154,10 @@ TEST_CASE("a report may go where standard output goes, and to nowhere") {
   CHECK(both.find("wall clock") != std::string::npos);
   CHECK(desk.run("simulate S --take /dev/null --report /dev/null").status == 0);
   CHECK(desk.run("simulate S --take /dev/stdout").status == 2);
+  // What is named after it would stand beside it.
+  CHECK(desk.run("export T --format csv --out /dev/stdout").status == 2);
+  CHECK(desk.run(std::string("render T --out /dev/null") + kSmall).status == 2);
+  CHECK(desk.run("export T --format xyz --out /dev/stdout").output.find("Properties=") != std::string::npos);
   CHECK(desk.run("simulate S --take new.take > new.take").status == 2);
   CHECK(fs::is_character_file("/dev/null"));
 }

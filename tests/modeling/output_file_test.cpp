@@ -119,6 +119,8 @@ TEST_CASE("a symbolic link stays, and what it leads to is replaced, be it there 
   fs::create_symlink("b", folder.path / "a");
   fs::create_symlink("a", folder.path / "b");
   CHECK(modeling::linkTarget(folder.path / "a") == folder.path / "a");
+  CHECK_FALSE(modeling::replaceFile(folder.path / "a", "lost"));
+  CHECK(fs::is_symlink(folder.path / "a"));
 }
 
 TEST_CASE("another name of a file keeps the old content") {
@@ -174,8 +176,8 @@ TEST_CASE("an output replaces no input, by whatever name, nor another output, no
   fs::create_symlink(scene, folder.path / "link");
   fs::create_hard_link(scene, folder.path / "twin");
   for (const bool force : {false, true}) {
-    for (const fs::path& name :
-         {scene, folder.path / "." / "a.scene.json", folder.path / "link", folder.path / "twin", folder.path}) {
+    for (const fs::path& name : {scene, folder.path / "." / "a.scene.json", folder.path / "link",
+                                 folder.path / "twin", folder.path}) {
       modeling::OutputGuard guard(force);
       guard.reads(scene);
       guard.writes(name, modeling::kinds::report);
@@ -190,7 +192,8 @@ TEST_CASE("an output replaces no input, by whatever name, nor another output, no
   }
 }
 
-TEST_CASE("a file of another kind is replaced only where one says so, an empty one and one of the kind always") {
+TEST_CASE(
+    "a file of another kind is replaced only where one says so, an empty one and one of the kind always") {
   const Folder folder;
   const fs::path thesis = folder.file("thesis.txt", "In the beginning");
   const fs::path empty = folder.file("empty", "");

@@ -22,7 +22,8 @@ inline qint64 endedProcess() {
 }
 
 /// What a killed program leaves: its folder, and a lock that nobody holds.
-inline std::filesystem::path leaveBehind(const std::filesystem::path& folder, const std::filesystem::path& root,
+inline std::filesystem::path leaveBehind(const std::filesystem::path& folder,
+                                         const std::filesystem::path& root,
                                          const std::string& name = "left-behind") {
   const std::filesystem::path left = root / name;
   std::filesystem::copy(folder, left, std::filesystem::copy_options::recursive);

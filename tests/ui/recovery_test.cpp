@@ -48,7 +48,8 @@ struct Killed {
 
 void simulate(ui::Session& session) {
   session.simulate();
-  REQUIRE(becomesTrue([&] { return session.run()->phase == ui::RunPhase::done && !session.takes().empty(); }));
+  REQUIRE(
+      becomesTrue([&] { return session.run()->phase == ui::RunPhase::done && !session.takes().empty(); }));
 }
 
 void rename(ui::Session& session, const std::string& name) {
@@ -188,7 +189,8 @@ TEST_CASE("What is damaged is said and kept, and asked about once", "[recovery]"
   const fs::path left =
       killed.kill({}, named("lost"), "left", [](ui::Session& session) { rename(session, "found"); });
   const bool some = GENERATE(true, false);
-  fs::resize_file(left / "autosave.scene.json", some ? fs::file_size(left / "autosave.scene.json") * 9 / 10 : 3);
+  fs::resize_file(left / "autosave.scene.json",
+                  some ? fs::file_size(left / "autosave.scene.json") * 9 / 10 : 3);
   NextWindow next(killed);
   QString asked, told;
   answer(some ? "Recover" : "OK", some ? &asked : &told);

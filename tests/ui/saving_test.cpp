@@ -49,7 +49,8 @@ struct Contest : tests::WholeWindow {
   void othersSave() { REQUIRE(modeling::saveScene(named("theirs"), file)); }
 };
 
-TEST_CASE("A file that somebody else changed is not saved over without asking, and both are kept", "[saving]") {
+TEST_CASE("A file that somebody else changed is not saved over without asking, and both are kept",
+          "[saving]") {
   Contest contest;
   contest.othersSave();
   const std::string theirs = textOf(contest.file);
@@ -108,7 +109,8 @@ TEST_CASE("A file that was deleted or renamed is told of, and is there again whe
   CHECK(fs::exists(contest.file));
 }
 
-TEST_CASE("While a scene is open, a change of its file is told of once, and nothing else happens", "[saving]") {
+TEST_CASE("While a scene is open, a change of its file is told of once, and nothing else happens",
+          "[saving]") {
   Contest contest;
   contest.othersSave();
   CHECK(becomesTrue([&] { return contest.said.find("changed by somebody else") != std::string::npos; }));

@@ -101,8 +101,8 @@ Autosave::Autosave(Session& session, fs::path folder)
 
 Autosave::~Autosave() {
   worker_.requestStop();
-  lock_.unlock();
   writer_->end();
+  lock_.unlock();
 }
 
 QJsonObject Autosave::state(bool modified) const {

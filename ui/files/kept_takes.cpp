@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "modeling/files/output_file.h"
 #include "ui/files/saved_picture.h"
 
 namespace ui {
@@ -130,9 +131,8 @@ void KeptTakes::keepRecording(const fs::path& file) {
   if (file.parent_path() == folder_ || fs::exists(kept, error)) return;
   fs::create_hard_link(file, kept, error);
   if (!error || session_.hasRun()) return;
-  fs::copy_file(file, kept, error);
-  if (error)
-    session_.report({file.string(), "the take could not be kept: " + error.message(),
+  if (const sim::Status copied = modeling::replaceByCopy(kept, file); !copied)
+    session_.report({file.string(), "the take could not be kept: " + copied.problem().what,
                      "save it as a file of its own, or make room"});
 }
 
