@@ -15,6 +15,7 @@
 #include "app/bench/accuracy_rows.h"
 #include "app/bench/stability.h"
 #include "app/bench/throughput.h"
+#include "modeling/files/output_file.h"
 
 namespace app {
 namespace {
@@ -158,11 +159,7 @@ sim::Status benchAll(const DocumentOptions& options) {
     if (!rows) return rows.problem();
     text = withSection(std::move(text), section.name, section.write(*rows));
   }
-  std::ofstream out(page);
-  out << text;
-  out.close();
-  if (!out)
-    return sim::Problem{page.string(), "the page cannot be written", "choose another folder with --docs"};
+  if (const sim::Status written = modeling::replaceFile(page, text); !written) return written;
   if (failed.empty()) return sim::Done{};
   std::string names;
   for (const std::string& name : failed) names += (names.empty() ? "" : ", ") + name;

@@ -10,30 +10,10 @@
 #include <memory>
 #include <string>
 
-#include <unistd.h>
+#include "app/bench/scratch_folder.h"
 
 namespace app {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder of its own, gone when done.
-class Scratch {
- public:
-  Scratch() : path_(fs::temp_directory_path() / ("smithereens-lammps-" + std::to_string(::getpid()))) {
-    fs::create_directories(path_);
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void writeData(const sim::Network& network, std::ofstream file) {
   sim::Vec3 low = network.positions.front();
@@ -97,7 +77,8 @@ std::optional<double> numberAfter(const std::string& text, const std::string& be
 
 std::optional<double> lammpsBondsPerSecond(const sim::Network& network, double step, int steps) {
   if (outputOf("command -v lmp").empty()) return std::nullopt;
-  const Scratch scratch;
+  const ScratchFolder scratch;
+  if (scratch.path().empty()) return std::nullopt;
   writeData(network, std::ofstream(scratch.path() / "bar.data"));
   writeInput(network, step, steps, std::ofstream(scratch.path() / "in.bar"));
   const std::string output = outputOf("cd '" + scratch.path().string() +

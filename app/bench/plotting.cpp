@@ -1,6 +1,12 @@
 #include "app/bench/plotting.h"
 
+#include <fstream>
+#include <iterator>
+
 #include <dlfcn.h>
+
+#include "app/bench/scratch_folder.h"
+#include "modeling/files/output_file.h"
 
 namespace app {
 
@@ -12,7 +18,18 @@ sim::Status drawPlots(const ui::PlotSheet& sheet, const std::filesystem::path& s
   if (found == nullptr)
     return sim::Problem{library.string(), "the library that draws plots cannot be loaded",
                         "build the target ui_plot, or leave out the plots"};
-  return reinterpret_cast<decltype(&ui::savePlots)>(found)(sheet, stem);
+  const ScratchFolder scratch;
+  const std::filesystem::path drawn = scratch.path() / "plot";
+  if (const auto saved = reinterpret_cast<decltype(&ui::savePlots)>(found)(sheet, drawn); !saved)
+    return saved;
+  std::error_code error;
+  if (stem.has_parent_path()) std::filesystem::create_directories(stem.parent_path(), error);
+  for (const char* const ending : {".png", ".svg"}) {
+    std::ifstream in(drawn.string() + ending, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    if (const auto placed = modeling::replaceFile(stem.string() + ending, bytes); !placed) return placed;
+  }
+  return sim::Done{};
 }
 
 }  // namespace app

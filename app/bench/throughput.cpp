@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 #include "app/bench/bodies.h"
@@ -10,6 +9,7 @@
 #include "app/bench/plain_loop.h"
 #include "app/bench/timing.h"
 #include "app/bench/triad.h"
+#include "modeling/files/output_file.h"
 #include "sim/kernel/bond_layout.h"
 
 namespace app {
@@ -127,13 +127,7 @@ sim::Status writeRows(const std::optional<std::filesystem::path>& folder, const 
   if (!folder) return sim::Done{};
   std::error_code error;
   std::filesystem::create_directories(*folder, error);
-  std::ofstream file(*folder / name);
-  file << dumped(rows, 2) << '\n';
-  file.close();
-  if (!file)
-    return sim::Problem{(*folder / name).string(), "the file cannot be written",
-                        "choose another folder with --out"};
-  return sim::Done{};
+  return modeling::replaceFile(*folder / name, dumped(rows, 2) + '\n');
 }
 
 sim::Status benchThroughput(const std::vector<int>& threads,

@@ -18,7 +18,7 @@ pid_t start(const ChildProcess& process) {
   words.push_back(nullptr);
   const pid_t child = ::fork();
   if (child != 0) return child;
-  const int log = ::open(process.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  const int log = ::open(process.log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
   if (log >= 0) {
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);

@@ -17,6 +17,10 @@ Option threadsOption(int& threads) {
       .name = "--threads", .target = &threads, .help = "0: all there are", .range = Range{0.0, kMostThreads}};
 }
 
+Option forceOption(bool& force) {
+  return {"--force", &force, "Replace files that are there and are of another kind; what is read, never"};
+}
+
 void tell(const std::vector<sim::Problem>& notes) {
   for (const sim::Problem& note : notes) std::cerr << "note: " << note.line() << '\n';
 }

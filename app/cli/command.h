@@ -56,6 +56,9 @@ struct Option {
 /// --threads, of commands that run simulations. 0 stands for all there are.
 Option threadsOption(int& threads);
 
+/// --force, of commands that write files (modeling/files/output_guard.h).
+Option forceOption(bool& force);
+
 /// A command of the program. `run` is called when all options have been read.
 struct Command {
   std::string name;

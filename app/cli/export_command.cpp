@@ -7,6 +7,8 @@
 #include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
 #include "modeling/exchange/export.h"
+#include "modeling/exchange/take_scene.h"
+#include "modeling/scene/scene_files.h"
 
 namespace app {
 
@@ -19,10 +21,18 @@ struct ExportOptions {
   std::string frames = ":";
   std::string looseNodes;
   bool levelSurface = false;
+  bool force = false;
 };
 
 sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& take, const FrameRange& range,
                   const ExportOptions& options) {
+  modeling::OutputGuard guard(options.force);
+  guard.reads(options.take);
+  if (const auto scene = modeling::sceneOf(take))
+    guard.reads(modeling::filesOf(*scene, std::filesystem::path(options.take).parent_path()));
+  guard.writes(format.files(
+      {.path = options.out, .firstFrame = range.first, .lastFrame = range.last, .progress = {}}));
+  if (const sim::Status safe = guard.check(); !safe) return safe;
   Progress progress("export");
   const auto show = [&](double share) {
     progress.show(share);
@@ -84,7 +94,8 @@ Command exportCommand() {
                looseNodesOption(options->looseNodes),
                {"--level-surface", &options->levelSurface,
                 "The surface on which the potential field of the nodes has one value, in place of the cells' "
-                "(obj, ply)"}},
+                "(obj, ply)"},
+               forceOption(options->force)},
           .run = [options] { return exportTake(*options); }};
 }
 

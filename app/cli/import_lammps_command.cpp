@@ -7,8 +7,10 @@
 #include "app/cli/progress.h"
 #include "app/cli/waiting.h"
 #include "modeling/exchange/lammps_import.h"
+#include "modeling/files/output_guard.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/scene/scene_files.h"
 
 namespace app {
 
@@ -20,6 +22,7 @@ struct ImportOptions {
   std::string scene;
   std::vector<std::string> settings;
   std::string take;
+  bool force = false;
 };
 
 /// Beside the dump of nodes, as the exported input writes it; "" where there is none.
@@ -30,10 +33,19 @@ std::filesystem::path bondsOf(const ImportOptions& options) {
   return std::filesystem::exists(beside) ? beside : std::filesystem::path();
 }
 
+sim::Status checkOutputs(const ImportOptions& options, const modeling::Scene& scene) {
+  modeling::OutputGuard guard(options.force);
+  guard.reads({options.dump, bondsOf(options), options.scene});
+  guard.reads(modeling::filesOf(scene, std::filesystem::path(options.scene).parent_path()));
+  guard.writes(options.take, modeling::kinds::take);
+  return guard.check();
+}
+
 ExitStatus import(const ImportOptions& options) {
   const auto file = modeling::loadScene(options.scene, options.settings);
   if (!file) return complain(file.problem());
   tell(file->notes);
+  if (const sim::Status safe = checkOutputs(options, file->scene); !safe) return complain(safe.problem());
   auto built = modeling::build(file->scene, std::filesystem::path(options.scene).parent_path(),
                                Waiting().attendance());
   if (!built) return complain(file->located(built.problem()));
@@ -64,7 +76,8 @@ Command importLammpsCommand() {
                    .required = true},
                   {.name = "--take", .target = &options->take, .help = "File to write", .required = true},
                   {"--bonds", &options->bonds, "The dump of bonds (default: DUMP with the ending .bonds)"},
-                  {"--set", &options->settings, "PATH=VALUE, as the scene was run with"}},
+                  {"--set", &options->settings, "PATH=VALUE, as the scene was run with"},
+                  forceOption(options->force)},
       .run = [options] { return import(*options); }};
 }
 

@@ -14,7 +14,11 @@
 #include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
 #include "modeling/exchange/export.h"
+#include "modeling/files/output_file.h"
+#include "modeling/files/output_guard.h"
+#include "modeling/scene/scene_files.h"
 #include "modeling/scene/scene_names.h"
+#include "ui/picture/picture_files.h"
 #include "ui/picture/take_pictures.h"
 #include "ui/picture/video.h"
 
@@ -38,6 +42,7 @@ struct RenderOptions {
   int samples = ui::PictureSettings{}.samples;
   bool sixteenBit = false;
   bool resume = false;
+  bool force = false;
   double framesPerSecond = 0.0;
   ui::PictureChoices choices;
   std::string looseNodes;
@@ -105,7 +110,7 @@ class FrameDrawer {
     };
     const auto run = ui::PictureRun::create(*scene, settings_);
     if (!run) return run.problem();
-    const std::filesystem::path kept = path.string() + ".partial";
+    const std::filesystem::path kept = ui::keptFile(path);
     if (const auto status = goOn(**run, kept, frame); !status) return status;
     if (const auto status = finish(**run, kept, frame); !status) return status;
     const auto depth = options_.sixteenBit ? ui::PngDepth::sixteenBit : ui::PngDepth::eightBit;
@@ -135,9 +140,8 @@ class FrameDrawer {
       const double since = std::chrono::duration<double>(Clock::now() - written).count();
       if (goesOn && since < kKeepEvery) continue;
       const std::vector<std::byte> bytes = run.kept(options_.nameOf(frame));
-      std::ofstream out(kept, std::ios::binary | std::ios::trunc);
-      out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-      if (!out.flush()) return sim::Problem{kept.string(), "cannot be written", "see that there is room"};
+      const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+      if (const auto status = modeling::replaceFile(kept, text); !status) return status;
       if (!goesOn)
         return sim::Problem{kept.string(), "the picture was interrupted", "--resume goes on with it"};
       written = Clock::now();
@@ -153,19 +157,15 @@ class FrameDrawer {
 /// Frames of a film are pictures in a folder beside it until it is made.
 sim::Status drawVideo(const RenderOptions& options, FrameDrawer& drawer, const FrameRange& range,
                       double fps) {
-  const std::filesystem::path folder = options.out + ".frames";
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    return sim::Problem{folder.string(), "the folder cannot be made", "choose another place for --out"};
+  const auto folder = ui::FilmFolder::open(options.out);
+  if (!folder) return folder.problem();
   for (std::size_t frame = range.first; frame <= range.last; ++frame) {
-    const auto path = modeling::numberedPath(folder / "frame.png", frame);
-    if (auto status = drawer.draw(frame, path); !status) return status;
+    if (auto status = drawer.draw(frame, folder->picture(frame)); !status) return status;
   }
-  const ui::VideoRequest request{(folder / "frame.%04d.png").string(), range.first,
-                                 range.last - range.first + 1, fps, options.out};
+  const ui::VideoRequest request{folder->pattern().string(), range.first, range.last - range.first + 1, fps,
+                                 options.out};
   if (auto status = ui::writeVideo(request); !status) return status;
-  std::filesystem::remove_all(folder, error);
+  folder->remove();
   return sim::Done{};
 }
 
@@ -181,6 +181,16 @@ sim::Status drawFrames(const RenderOptions& options, const ui::PictureSettings& 
   return sim::Done{};
 }
 
+sim::Status checkOutputs(const RenderOptions& options, const FrameRange& range,
+                         const ui::PictureFrames& frames) {
+  modeling::OutputGuard guard(options.force);
+  guard.reads(options.take);
+  guard.reads(modeling::filesOf(frames.scene, frames.folder));
+  guard.writes(ui::pictureFiles(options.out, range.first, range.last, options.isSequence(), true));
+  if (const auto safe = guard.check(); !safe) return safe;
+  return ui::isVideoPath(options.out) ? ui::FilmFolder::check(options.out) : sim::Status(sim::Done{});
+}
+
 ExitStatus render(const RenderOptions& options) {
   ui::PictureSettings settings;
   settings.samples = options.samples;
@@ -193,6 +203,7 @@ ExitStatus render(const RenderOptions& options) {
   auto frames = ui::framesOf(**take, options.allSettings());
   if (!frames) return complain(frames.problem());
   frames->folder = std::filesystem::path(options.take).parent_path();
+  if (const auto safe = checkOutputs(options, *range, *frames); !safe) return complain(safe.problem());
   const double fps = options.framesPerSecond > 0.0 ? options.framesPerSecond : frames->framesPerSecond;
   const double aspect = static_cast<double>(settings.width) / std::max(1, settings.height);
   ui::PictureChoices choices = options.choices;
@@ -265,7 +276,8 @@ std::vector<Option> renderOptions(RenderOptions& options) {
        .positive = true},
       {"--sixteen-bit", &options.sixteenBit, "16 bit a channel instead of 8"},
       {"--resume", &options.resume,
-       "Go on with what an interrupted command left: pictures that are there are kept"}};
+       "Go on with what an interrupted command left: pictures that are there are kept"},
+      forceOption(options.force)};
   for (Option& option : lookOptions(options)) all.push_back(std::move(option));
   return all;
 }

@@ -7,6 +7,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/running.h"
 #include "modeling/exchange/continuation.h"
+#include "modeling/files/output_guard.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
 #include "sim/take/take.h"
@@ -23,6 +24,7 @@ struct ResumeOptions {
   std::string report;
   std::optional<double> until;
   int threads = 0;
+  bool force = false;
 };
 
 /// All that is needed of a take before its tail is cut off.
@@ -82,13 +84,20 @@ sim::Result<std::size_t> frameOf(const ResumeOptions& options, const sim::TakeRe
                       "the last one is " + std::to_string(take.frameCount() - 1)};
 }
 
+/// The take that is gone on from is read, and written too where there is no other.
+sim::Status checkOutputs(const ResumeOptions& options) {
+  modeling::OutputGuard guard(options.force);
+  guard.reads(options.take);
+  guard.writes(options.branch, modeling::kinds::take);
+  guard.writes(options.report, modeling::kinds::report);
+  if (const sim::Status safe = guard.check(); !safe) return safe;
+  return checkReportFile(options.report);
+}
+
 sim::Status checkBranch(const ResumeOptions& options) {
-  const sim::Problem missing{"--take", "a run that goes on from a frame needs a take of its own",
-                             "name a file to record to"};
-  std::error_code error;
-  if (options.branch.empty()) return missing;
-  if (!std::filesystem::equivalent(options.branch, options.take, error)) return sim::Done{};
-  return sim::Problem{"--take", "this is the take that is gone on from", "name another file"};
+  if (!options.branch.empty()) return checkOutputs(options);
+  return sim::Problem{"--take", "a run that goes on from a frame needs a take of its own",
+                      "name a file to record to"};
 }
 
 /// The take's scene with the settings laid over it; nothing without any.
@@ -111,7 +120,6 @@ sim::Result<std::optional<modeling::Scene>> changedScene(const ResumeOptions& op
 
 ExitStatus branch(const ResumeOptions& options) {
   const Stopwatch stopwatch;
-  if (const sim::Status status = checkReportFile(options.report); !status) return complain(status.problem());
   if (const sim::Status status = checkBranch(options); !status) return complain(status.problem());
   const auto take = sim::TakeReader::open(options.take);
   if (!take) return complain(take.problem());
@@ -141,7 +149,7 @@ ExitStatus branch(const ResumeOptions& options) {
 
 ExitStatus resume(const ResumeOptions& options) {
   const Stopwatch stopwatch;
-  if (const sim::Status status = checkReportFile(options.report); !status) return complain(status.problem());
+  if (const sim::Status status = checkOutputs(options); !status) return complain(status.problem());
   sim::Result<Resumable> from = readTake(options.take);
   if (!from) return complain(from.problem());
   modeling::Conditions conditions = modeling::conditionsOf(from->scene, from->network.materials);
@@ -201,7 +209,8 @@ Command resumeCommand() {
                        .help = "Seconds; left out: what the run was started for",
                        .range = Range{0.0, 1e9}},
                       {"--report", &options->report, "File for the report (JSON)"},
-                      threadsOption(options->threads)},
+                      threadsOption(options->threads),
+                      forceOption(options->force)},
           .run = [options] { return resumeOrBranch(*options); }};
 }
 

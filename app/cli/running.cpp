@@ -4,7 +4,7 @@
 
 #include "app/cli/progress.h"
 #include "app/cli/report.h"
-#include "modeling/text/text_file.h"
+#include "modeling/files/output_file.h"
 
 namespace app {
 namespace {

@@ -6,7 +6,9 @@
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/waiting.h"
+#include "modeling/files/output_guard.h"
 #include "modeling/scene/build.h"
+#include "modeling/scene/scene_files.h"
 #include "sim/take/take.h"
 
 namespace app {
@@ -17,7 +19,17 @@ struct SimulateOptions {
   std::string take;
   std::string report;
   int threads = 0;
+  bool force = false;
 };
+
+sim::Status checkOutputs(const SimulateOptions& options, const modeling::Scene& scene) {
+  modeling::OutputGuard guard(options.force);
+  guard.reads(options.scene.scene);
+  guard.reads(modeling::filesOf(scene, std::filesystem::path(options.scene.scene).parent_path()));
+  guard.writes(options.take, modeling::kinds::take);
+  guard.writes(options.report, modeling::kinds::report);
+  return guard.check();
+}
 
 ExitStatus simulate(const SimulateOptions& options) {
   const Stopwatch stopwatch;
@@ -25,6 +37,7 @@ ExitStatus simulate(const SimulateOptions& options) {
   const sim::Result<modeling::SceneFile> file = options.scene.load();
   if (!file) return complain(file.problem());
   const modeling::Scene& scene = file->scene;
+  if (const sim::Status safe = checkOutputs(options, scene); !safe) return complain(safe.problem());
   sim::Result<modeling::BuiltScene> built = modeling::build(
       scene, std::filesystem::path(options.scene.scene).parent_path(), Waiting().attendance());
   if (!built) return complain(file->located(built.problem()));
@@ -60,6 +73,7 @@ Command simulateCommand() {
   command.options.push_back({"--take", &options->take, "File to record to"});
   command.options.push_back({"--report", &options->report, "File for the report (JSON)"});
   command.options.push_back(threadsOption(options->threads));
+  command.options.push_back(forceOption(options->force));
   return command;
 }
 

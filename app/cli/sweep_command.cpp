@@ -10,7 +10,10 @@
 #include "app/cli/progress.h"
 #include "app/cli/sweep_grid.h"
 #include "app/cli/sweep_results.h"
+#include "modeling/files/output_file.h"
+#include "modeling/files/output_guard.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/scene/scene_files.h"
 #include "modeling/text/text_output.h"
 
 namespace app {
@@ -28,6 +31,7 @@ struct SweepOptions {
   std::optional<std::uint64_t> only;
   bool collect = false;
   bool slurm = false;
+  bool force = false;
 };
 
 std::vector<std::string> simulateWords(const SweepOptions& options, const SweepGrid& grid, std::size_t run,
@@ -42,6 +46,7 @@ std::vector<std::string> simulateWords(const SweepOptions& options, const SweepG
                                  files.report.string(),
                                  "--threads",
                                  std::to_string(threads)};
+  if (options.force) words.emplace_back("--force");
   for (const std::string& setting : options.settings) words.insert(words.end(), {"--set", setting});
   const auto values = grid.valuesOf(run);
   for (std::size_t v = 0; v < values.size(); ++v)
@@ -65,6 +70,35 @@ sim::Status checkRuns(const SweepOptions& options, const SweepGrid& grid) {
   return sim::Done{};
 }
 
+/// Of the runs and of what is made of them, whichever of it this command writes.
+sim::Status checkOutputs(const SweepOptions& options, const SweepGrid& grid) {
+  const fs::path out = options.out;
+  modeling::OutputGuard guard(options.force);
+  guard.reads(options.scene);
+  if (const auto file = modeling::loadScene(options.scene))
+    guard.reads(modeling::filesOf(file->scene, fs::path(options.scene).parent_path()));
+  for (std::size_t run = 0; run < grid.runs() && !options.collect && !options.slurm; ++run) {
+    if (options.only && *options.only != run) continue;
+    const SweepFiles files(out, run);
+    guard.writes(files.take, modeling::kinds::take);
+    guard.writes(files.report, modeling::kinds::report);
+    guard.writes(files.log, modeling::kinds::log);
+  }
+  if (options.slurm) guard.writes(out / "sweep.slurm", modeling::kinds::slurm);
+  if (options.slurm || options.only) return guard.check();
+  guard.writes(out / "sweep.json", modeling::kinds::table);
+  guard.writes(out / "sweep.csv", modeling::kinds::csv);
+  guard.writes(out / "sweep.png", modeling::kinds::png);
+  return guard.check();
+}
+
+/// The log begins with what it is of, so that it is known for one.
+void beginLog(const ChildProcess& process) {
+  std::string head = "# smithereens-cli";
+  for (std::size_t word = 1; word < process.words.size(); ++word) head += " " + process.words[word];
+  static_cast<void>(modeling::replaceFile(process.log, head + "\n"));
+}
+
 void runAll(const SweepOptions& options, const SweepGrid& grid) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t threads = std::max<std::size_t>(1, cores / options.jobs);
@@ -74,6 +108,7 @@ void runAll(const SweepOptions& options, const SweepGrid& grid) {
     processes.push_back(
         {simulateWords(options, grid, run, threads), SweepFiles(options.out, run).log.string()});
   }
+  for (const ChildProcess& process : processes) beginLog(process);
   Progress progress("sweep");
   std::size_t ended = 0;
   runChildProcesses(processes, options.jobs, [&](std::size_t, int) {
@@ -94,6 +129,7 @@ sim::Status writeSlurm(const SweepOptions& options, const SweepGrid& grid) {
                       inShellQuotes(fs::absolute(options.out).string());
   for (const std::string& variation : options.variations) sweep += " --vary " + inShellQuotes(variation);
   for (const std::string& setting : options.settings) sweep += " --set " + inShellQuotes(setting);
+  if (options.force) sweep += " --force";
   modeling::TextOutput out(fs::path(options.out) / "sweep.slurm");
   out << "#!/bin/bash\n#SBATCH --job-name=smithereens-sweep\n#SBATCH --array=0-"
       << std::uint64_t{grid.runs() - 1} << "\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n"
@@ -111,6 +147,7 @@ ExitStatus sweep(const SweepOptions& options) {
                      "the last one is " + std::to_string(grid->runs() - 1)});
   }
   if (const auto status = checkRuns(options, *grid); !status) return complain(status.problem());
+  if (const auto safe = checkOutputs(options, *grid); !safe) return complain(safe.problem());
   std::error_code error;
   fs::create_directories(options.out, error);
   if (error) return complain({options.out, "cannot make this folder", "choose one that can be written"});
@@ -151,7 +188,8 @@ Command sweepCommand() {
                        .range = Range{1.0, kMostThreads}},
                       {"--only", &options->only, "Only the run of this number, from 0; no table"},
                       {"--collect", &options->collect, "Table and pictures of runs that have ended"},
-                      {"--slurm", &options->slurm, "Write a job array for Slurm instead of running"}},
+                      {"--slurm", &options->slurm, "Write a job array for Slurm instead of running"},
+                      forceOption(options->force)},
           .run = [options] { return sweep(*options); }};
 }
 

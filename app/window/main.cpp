@@ -11,6 +11,7 @@
 
 #include "ui/files/autosave.h"
 #include "ui/files/kept_takes.h"
+#include "ui/files/recovery.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport_renderer.h"
 #include "ui/window/main_window.h"
@@ -44,6 +45,11 @@ int run(QApplication& application) {
   arguments.addVersionOption();
   arguments.addPositionalArgument("file", QApplication::translate("main", "A scene or a take to open."),
                                   "[FILE]");
+  const QCommandLineOption recover(
+      QStringLiteral("recover"),
+      QApplication::translate("main", "Take up what a window that was killed left in this folder."),
+      QStringLiteral("FOLDER"));
+  arguments.addOption(recover);
   arguments.process(application);
 
   if (!hasOpenGl()) return complainOfOpenGl();
@@ -55,12 +61,18 @@ int run(QApplication& application) {
   const std::filesystem::path folder = ui::Autosave::newFolder(root);
   ui::Session session(folder);
   ui::Autosave autosave(session, folder);
-  const ui::KeptTakes takes(session, data / "takes");
+  ui::KeptTakes takes(session, data / "takes");
   ui::MainWindow window(session);
   window.show();
   const QStringList files = arguments.positionalArguments();
   if (!files.isEmpty()) window.files().open(files.front().toStdString());
-  window.offerLeftovers(root);
+  ui::Recovery recovery(session, takes, autosave, root, &window);
+  QObject::connect(&recovery, &ui::Recovery::recovered, &window, &ui::MainWindow::showViewport);
+  if (arguments.isSet(recover)) {
+    recovery.takeUp(arguments.value(recover).toStdString());
+  } else {
+    recovery.offer();
+  }
   return QApplication::exec();
 }
 

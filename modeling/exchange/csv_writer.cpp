@@ -114,11 +114,6 @@ void addEvent(std::size_t index, const sim::BreakEvent& event, TextOutput& out) 
   out << "\n";
 }
 
-std::filesystem::path sideTable(const std::filesystem::path& path, const char* name) {
-  std::filesystem::path side = path;
-  return side.replace_extension(std::string(".") + name + path.extension().string());
-}
-
 }  // namespace
 
 sim::Status writeCsv(const sim::TakeReader& take, const ExportRequest& request) {

@@ -3,23 +3,85 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "modeling/exchange/frame_loop.h"
 #include "modeling/text/spelling.h"
 
 namespace modeling {
+namespace {
+
+using Files = std::vector<PlannedFile>;
+
+std::filesystem::path withEnding(std::filesystem::path path, const std::string& ending) {
+  return path.replace_extension(ending);
+}
+
+Files framesOf(const ExportRequest& request, const FileKind& kind) {
+  Files files;
+  for (std::size_t frame = request.firstFrame; frame <= request.lastFrame; ++frame)
+    files.push_back({framePath(request, frame), &kind});
+  return files;
+}
+
+Files filesOfGlb(const ExportRequest& request) {
+  return {{request.path, &kinds::glb}};
+}
+
+Files filesOfXyz(const ExportRequest& request) {
+  return {{request.path, &kinds::xyz}};
+}
+
+Files filesOfObj(const ExportRequest& request) {
+  Files files = framesOf(request, kinds::obj);
+  files.push_back({withEnding(request.path, ".mtl"), &kinds::mtl});
+  return files;
+}
+
+Files filesOfPly(const ExportRequest& request) {
+  return framesOf(request, kinds::ply);
+}
+
+Files filesOfPc2(const ExportRequest& request) {
+  return {{request.path, &kinds::pc2},
+          {withEnding(request.path, ".obj"), &kinds::obj},
+          {withEnding(request.path, ".mtl"), &kinds::mtl}};
+}
+
+Files filesOfVtk(const ExportRequest& request) {
+  ExportRequest grids = request;
+  grids.path.replace_extension(".vtu");
+  Files files = framesOf(grids, kinds::vtk);
+  files.push_back({withEnding(request.path, ".pvd"), &kinds::vtk});
+  return files;
+}
+
+Files filesOfCsv(const ExportRequest& request) {
+  return {{request.path, &kinds::csv},
+          {sideTable(request.path, "events"), &kinds::csv},
+          {sideTable(request.path, "ledger"), &kinds::csv}};
+}
+
+Files filesOfLammps(const ExportRequest& request) {
+  return {{withEnding(request.path, ".data"), &kinds::lammps},
+          {withEnding(request.path, ".in"), &kinds::lammps}};
+}
+
+}  // namespace
 
 const std::vector<ExportFormat>& exportFormats() {
   static const std::vector<ExportFormat> kFormats{
-      {"glb", "fragments as rigid pieces that move, for Blender and others (glTF 2.0)", writeGlb,
+      {"glb", "fragments as rigid pieces that move, for Blender and others (glTF 2.0)", writeGlb, filesOfGlb,
        ExportedSurface::cells},
-      {"xyz", "positions and velocities of all nodes (extended XYZ)", writeXyz},
-      {"obj", "the surface of each frame (Wavefront OBJ)", writeObj, ExportedSurface::cellsOrLevel},
-      {"ply", "the surface of each frame, with damage and fragments (binary PLY)", writePly,
+      {"xyz", "positions and velocities of all nodes (extended XYZ)", writeXyz, filesOfXyz},
+      {"obj", "the surface of each frame (Wavefront OBJ)", writeObj, filesOfObj,
+       ExportedSurface::cellsOrLevel},
+      {"ply", "the surface of each frame, with damage and fragments (binary PLY)", writePly, filesOfPly,
        ExportedSurface::cellsOrLevel},
       {"pc2", "the surface with all its breaks from the start, deforming (point cache and OBJ)", writePc2,
-       ExportedSurface::cells},
-      {"vtk", "nodes, bonds and their strain, for ParaView (.vtu and .pvd)", writeVtk},
-      {"csv", "tables of fragments, breaks and energies", writeCsv},
-      {"lammps", "a run that goes on from the first frame on LAMMPS (data and input)", writeLammps},
+       filesOfPc2, ExportedSurface::cells},
+      {"vtk", "nodes, bonds and their strain, for ParaView (.vtu and .pvd)", writeVtk, filesOfVtk},
+      {"csv", "tables of fragments, breaks and energies", writeCsv, filesOfCsv},
+      {"lammps", "a run that goes on from the first frame on LAMMPS (data and input)", writeLammps,
+       filesOfLammps},
   };
   return kFormats;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "modeling/files/output_guard.h"
 #include "sim/surface/surface_mesh.h"
 #include "sim/take/take.h"
 
@@ -37,6 +38,8 @@ struct ExportFormat {
   std::string name;     ///< as it is asked for, and the usual end of its file names
   std::string summary;  ///< for help
   sim::Status (*write)(const sim::TakeReader& take, const ExportRequest& request);
+  /// All files that `write` makes, of which kinds.
+  std::vector<PlannedFile> (*files)(const ExportRequest& request);
   ExportedSurface surface = ExportedSurface::none;
 };
 

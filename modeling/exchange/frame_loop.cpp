@@ -23,6 +23,11 @@ std::filesystem::path framePath(const ExportRequest& request, std::size_t frame)
   return request.firstFrame == request.lastFrame ? request.path : numberedPath(request.path, frame);
 }
 
+std::filesystem::path sideTable(const std::filesystem::path& path, const std::string& name) {
+  std::filesystem::path side = path;
+  return side.replace_extension("." + name + path.extension().string());
+}
+
 sim::Snapshot splitAtStart(const sim::Snapshot& first, const sim::Snapshot& last) {
   sim::Snapshot split = last;
   split.time = first.time;

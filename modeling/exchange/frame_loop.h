@@ -15,6 +15,9 @@ sim::Status forEachFrame(
 /// The path itself where one frame is asked for, else numbered by the frame.
 std::filesystem::path framePath(const ExportRequest& request, std::size_t frame);
 
+/// Of a table beside the main one: "folder/name.csv" and "events" -> "folder/name.events.csv".
+std::filesystem::path sideTable(const std::filesystem::path& path, const std::string& name);
+
 /// The last frame's breaks, where everything was in the first: what is exported with one topology for all
 /// frames.
 sim::Snapshot splitAtStart(const sim::Snapshot& first, const sim::Snapshot& last);

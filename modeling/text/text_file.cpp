@@ -3,6 +3,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "modeling/files/output_file.h"
+
 namespace modeling {
 
 using sim::Problem;
@@ -27,35 +29,8 @@ sim::Result<std::string> readTextFile(const std::filesystem::path& file, std::ui
   return text;
 }
 
-namespace {
-
-std::filesystem::path draftOf(std::filesystem::path file) {
-  return file += ".new";
-}
-
-sim::Status discard(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::filesystem::remove(draftOf(file), ignored);
-  return Problem{file.string(), "this file cannot be written",
-                 "check the folder, its permissions and free space"};
-}
-
-}  // namespace
-
 sim::Status replaceTextFile(const std::filesystem::path& file, std::string_view text) {
-  std::ofstream stream(draftOf(file), std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(draftOf(file), file, error);
-  return stream && !error ? sim::Status(sim::Done{}) : discard(file);
-}
-
-sim::Status checkReplaceable(const std::filesystem::path& file) {
-  std::error_code error;
-  const bool good = !std::filesystem::is_directory(file, error) && std::ofstream(draftOf(file)).good();
-  const sim::Status discarded = discard(file);
-  return good ? sim::Status(sim::Done{}) : discarded;
+  return replaceFile(file, text);
 }
 
 }  // namespace modeling

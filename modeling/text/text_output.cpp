@@ -3,28 +3,14 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <system_error>
-#include <utility>
 
 namespace modeling {
 
-TextOutput::TextOutput(std::filesystem::path path, int significantDigits)
-    : path_(std::move(path)),
-      draft_(path_.string() + ".part"),
-      file_(std::fopen(draft_.c_str(), "wb")),
-      significantDigits_(significantDigits) {
-  good_ = file_ != nullptr;
-}
-
-TextOutput::~TextOutput() {
-  if (!file_) return;
-  file_.reset();
-  std::error_code ignored;
-  std::filesystem::remove(draft_, ignored);
-}
+TextOutput::TextOutput(const std::filesystem::path& path, int significantDigits)
+    : file_(OutputFile::create(path)), significantDigits_(significantDigits), good_(file_.ok()) {}
 
 TextOutput& TextOutput::operator<<(std::string_view text) {
-  good_ = good_ && std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size();
+  good_ = good_ && std::fwrite(text.data(), 1, text.size(), file_->stream()) == text.size();
   return *this;
 }
 
@@ -47,15 +33,8 @@ TextOutput& TextOutput::operator<<(const sim::Vec3& vector) {
 }
 
 sim::Status TextOutput::finish() {
-  bool written = good_ && std::fflush(file_.get()) == 0;
-  std::error_code error;
-  if (written) {
-    file_.reset();
-    std::filesystem::rename(draft_, path_, error);
-    if (!error) return sim::Done{};
-  }
-  return sim::Problem{path_.string(), "cannot write this file",
-                      "choose a folder that exists, is yours and has room"};
+  if (!file_) return file_.problem();
+  return file_->finish();
 }
 
 std::string oneWord(std::string name, const char* unnamed) {

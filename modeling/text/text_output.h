@@ -1,25 +1,20 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 
+#include "modeling/files/output_file.h"
 #include "sim/base/result.h"
 #include "sim/base/types.h"
 
 namespace modeling {
 
-/// A text file that appears whole or not at all: written under another name, renamed by finish().
+/// A text file that appears whole or not at all (modeling/files/output_file.h).
 class TextOutput {
  public:
   /// Numbers are written with so many significant digits: 17 read back to the same number.
-  explicit TextOutput(std::filesystem::path path, int significantDigits = 17);
-  /// Unfinished: leaves nothing.
-  ~TextOutput();
-  TextOutput(const TextOutput&) = delete;
-  TextOutput& operator=(const TextOutput&) = delete;
+  explicit TextOutput(const std::filesystem::path& path, int significantDigits = 17);
 
   TextOutput& operator<<(std::string_view text);
   TextOutput& operator<<(std::uint64_t number);
@@ -32,14 +27,9 @@ class TextOutput {
   sim::Status finish();
 
  private:
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::filesystem::path path_;
-  std::filesystem::path draft_;
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  sim::Result<OutputFile> file_;
   int significantDigits_;
-  bool good_ = false;
+  bool good_;
 };
 
 /// The name with white space turned to '_', as formats of blank-separated words need it; `unnamed` for an

@@ -129,7 +129,14 @@ Status TakeFile::cut(std::uint64_t size) {
 }
 
 Status TakeFile::sync() {
-  if (regular_ && ::fsync(descriptor_) != 0) return failure("the take can't be written to the disk", errno);
+  if (!regular_) return Done{};
+  if (::fsync(descriptor_) != 0) return failure("the take can't be written to the disk", errno);
+  // Its name is the folder's; some file systems cannot be asked for that, and need not be.
+  const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return Done{};
+  static_cast<void>(::fsync(opened));
+  ::close(opened);
   return Done{};
 }
 

@@ -219,6 +219,25 @@ TEST_CASE("what cannot be written is a problem that names the file, and leaves n
   }
 }
 
+TEST_CASE("each format makes the files that it says, which are of the kinds that it says") {
+  const MemoryTake take = breakingBar();
+  for (const auto& format : modeling::exportFormats()) {
+    INFO(format.name);
+    const Scratch scratch;
+    const modeling::ExportRequest request{
+        .path = scratch.folder / ("bar." + format.name), .firstFrame = 0, .lastFrame = 1, .progress = {}};
+    REQUIRE(format.write(take, request).ok());
+    std::set<std::filesystem::path> said, made;
+    for (const modeling::PlannedFile& file : format.files(request)) {
+      said.insert(file.path);
+      CHECK(modeling::isOfKind(file.path, *file.kind));
+      CHECK_FALSE(modeling::isOfKind(SMITHEREENS_SOURCE_DIR "/README.md", *file.kind));
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(scratch.folder)) made.insert(entry.path());
+    CHECK(said == made);
+  }
+}
+
 TEST_CASE("a cancelled export leaves no half file") {
   const Scratch scratch;
   const auto path = scratch.folder / "bar.xyz";

@@ -1,8 +1,5 @@
-#include <QMessageBox>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <csignal>
 #include <fstream>
 
@@ -10,15 +7,20 @@
 #include <sys/resource.h>
 
 #include "modeling/scene/scene_file.h"
+#include "tests/ui/left_behind.h"
 #include "tests/ui/window_scenes.h"
 #include "ui/document/new_scene.h"
 #include "ui/files/autosave.h"
+#include "ui/files/leftovers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
 namespace {
 
 namespace fs = std::filesystem;
+
+using tests::answer;
+using tests::leaveBehind;
 
 fs::path pathOf(const QTemporaryDir& folder) {
   return folder.path().toStdString();
@@ -30,38 +32,6 @@ void addSlab(modeling::Scene& scene) {
   part.material = scene.materials.front().name;
   part.shape = modeling::SlabShape{sim::Vec3(3.0, 3.0, 1.0), {1.0, {}}};
   scene.parts.push_back(part);
-}
-
-/// A process id that no process has any more.
-qint64 endedProcess() {
-  QProcess process;
-  process.start("true", QStringList());
-  process.waitForStarted();
-  const qint64 id = process.processId();
-  process.waitForFinished();
-  return id;
-}
-
-/// What a killed program leaves: its folder, and a lock that nobody holds.
-fs::path leaveBehind(const fs::path& folder, const fs::path& root) {
-  const fs::path left = root / "left-behind";
-  fs::copy(folder, left, fs::copy_options::recursive);
-  std::ofstream lock(left / "running", std::ios::trunc);
-  lock << endedProcess() << "\nsmithereens\n" << QSysInfo::machineHostName().toStdString() << "\n";
-  return left;
-}
-
-/// Answers the next question with the button of that text.
-void answer(const QString& button) {
-  QTimer::singleShot(100, [button] {
-    for (QWidget* widget : QApplication::topLevelWidgets()) {
-      auto* box = qobject_cast<QMessageBox*>(widget);
-      if (box == nullptr || !box->isVisible()) continue;
-      for (QAbstractButton* choice : box->buttons()) {
-        if (choice->text().remove('&') == button) choice->click();
-      }
-    }
-  });
 }
 
 TEST_CASE("What was not saved when the program was killed can be recovered") {
@@ -77,15 +47,15 @@ TEST_CASE("What was not saved when the program was killed can be recovered") {
     session.document().edit("Add", addSlab);
     autosave.write();
     edited = session.document().scene();
-    CHECK(ui::Autosave::leftovers(root).empty());
+    CHECK(ui::leftoversIn(root).empty());
     left = leaveBehind(folder, root);
   }
-  const std::vector<ui::Leftover> leftovers = ui::Autosave::leftovers(root);
+  const std::vector<ui::Leftover> leftovers = ui::leftoversIn(root);
   REQUIRE(leftovers.size() == 1);
   CHECK(leftovers[0].scene == edited);
-  ui::Autosave::discard(leftovers[0]);
+  ui::discard(leftovers[0]);
   CHECK_FALSE(fs::exists(left));
-  CHECK(ui::Autosave::leftovers(root).empty());
+  CHECK(ui::leftoversIn(root).empty());
 }
 
 TEST_CASE("A program that ends well leaves nothing behind") {
@@ -152,11 +122,12 @@ TEST_CASE("Takes of a killed program come back with their names, even where no s
     ui::Autosave autosave(session, folder);
     makeTake(session);
     session.takes().rename(0, "the good one");
+    autosave.write();
     leaveBehind(folder, root);
   }
   const bool sceneIsThere = GENERATE(true, false);
   if (!sceneIsThere) fs::remove(root / "left-behind" / "autosave.scene.json");
-  const std::vector<ui::Leftover> leftovers = ui::Autosave::leftovers(root);
+  const std::vector<ui::Leftover> leftovers = ui::leftoversIn(root);
   REQUIRE(leftovers.size() == 1);
   CHECK(leftovers[0].scene == tests::fallingSlab());
   ui::Session session(root / "next");

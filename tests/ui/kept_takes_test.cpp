@@ -121,6 +121,60 @@ TEST_CASE("A take that is deleted stays deleted, and the others stay") {
   CHECK_FALSE(fs::exists(kept));
 }
 
+TEST_CASE("Two windows on one scene: the takes of both are listed, and what one says of its own counts") {
+  const Desk desk;
+  Started first(desk.root), second(desk.root);
+  first.open(desk.file);
+  second.open(desk.file);
+  first.fixture.simulateToEnd();
+  second.fixture.simulateToEnd();
+  first.session().takes().rename(0, "of the first");
+  second.session().takes().rename(0, "of the second");
+  first.session().takes().setNote(0, "still the first");
+  Started third(desk.root);
+  third.open(desk.file);
+  REQUIRE(becomesTrue([&] { return third.session().takes().size() == 2; }));
+  CHECK(third.session().takes()[0].name == "of the first");
+  CHECK(third.session().takes()[0].note == "still the first");
+  CHECK(third.session().takes()[1].name == "of the second");
+  // One deletes its own: it is gone, and the other's stays.
+  first.session().takes().remove(0);
+  second.session().takes().setNote(0, "alone");
+  Started fourth(desk.root);
+  fourth.open(desk.file);
+  REQUIRE(becomesTrue([&] { return fourth.session().takes().size() == 1; }));
+  CHECK(fourth.session().takes()[0].name == "of the second");
+}
+
+TEST_CASE("A take that no list has is listed under the name of its file") {
+  const Desk desk;
+  fs::path folder;
+  {
+    Started first(desk.root);
+    first.open(desk.file);
+    first.fixture.simulateToEnd();
+    folder = first.keeper.folderOf(desk.file);
+  }
+  const bool damaged = GENERATE(true, false);
+  if (damaged) {
+    std::ofstream(folder / "takes.json") << "[{";
+  } else {
+    fs::remove(folder / "takes.json");
+  }
+  Started second(desk.root);
+  second.open(desk.file);
+  REQUIRE(becomesTrue([&] { return second.session().takes().size() == 1; }));
+  second.session().takes().rename(0, "found");
+  Started third(desk.root);
+  third.open(desk.file);
+  REQUIRE(becomesTrue([&] { return third.session().takes().size() == 1; }));
+  CHECK(third.session().takes()[0].name == "found");
+  std::size_t aside = 0;
+  for (const auto& entry : fs::directory_iterator(folder))
+    aside += entry.path().filename().string().starts_with("takes.damaged-") ? 1 : 0;
+  CHECK(aside == (damaged ? 1U : 0U));
+}
+
 TEST_CASE("A list of kept takes that is damaged, or names other folders, opens nothing and breaks nothing") {
   const Desk desk;
   Started program(desk.root);

@@ -21,6 +21,8 @@
 #include "ui/editors/profile_canvas.h"
 #include "ui/editors/render_dialog.h"
 #include "ui/editors/threshold_dialog.h"
+#include "ui/files/kept_takes.h"
+#include "ui/files/recovery.h"
 #include "ui/panels/add_actions.h"
 #include "ui/panels/diagnostics_panel.h"
 #include "ui/panels/live_panel.h"
@@ -367,7 +369,10 @@ void takeRecovery(WindowStudio& studio) {
   }
   std::ofstream(root / "left" / "running", std::ios::trunc) << "999999\nsmithereens\n\n";
   studio.load(ui::newScene());
-  studio.takeMenu("recovery", [&] { studio.window().offerLeftovers(root); });
+  ui::Autosave autosave(studio.session(), ui::Autosave::newFolder(root));
+  ui::KeptTakes kept(studio.session(), studio.desk() / "takes");
+  ui::Recovery recovery(studio.session(), kept, autosave, root, &studio.window());
+  studio.takeMenu("recovery", [&] { recovery.offer(); });
 }
 
 void takeMenus(WindowStudio& studio) {

@@ -1,5 +1,8 @@
 #include "ui/document/document.h"
 
+#include <QScopeGuard>
+
+#include "modeling/files/output_file.h"
 #include "modeling/scene/scene_file.h"
 #include "ui/document/edit_command.h"
 
@@ -28,15 +31,35 @@ Document::Document(QObject* parent) : QObject(parent) {
   connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::statusChanged);
 }
 
-QString Document::title() const {
-  if (!scene_.name.empty()) return QString::fromStdString(scene_.name);
-  if (file_.empty()) return tr("Untitled");
-  QString name = QString::fromStdString(file_.filename().string());
+QString Document::titleOf(const modeling::Scene& scene, const std::filesystem::path& file) {
+  if (!scene.name.empty()) return QString::fromStdString(scene.name);
+  if (file.empty()) return tr("Untitled");
+  QString name = QString::fromStdString(file.filename().string());
   name.remove(QStringLiteral(".scene.json"));
   return name;
 }
 
+modeling::FileChange Document::changeOfFile() const {
+  return file_.empty() ? modeling::FileChange::none : stamp_.changeOf(file_);
+}
+
+void Document::endGesture() {
+  if (!isRehearsing()) gesture_.clear();
+}
+
+modeling::Scene Document::rehearse(const std::function<void()>& confirm) {
+  modeling::Scene scene = scene_;
+  {
+    rehearsed_ = &scene;
+    const auto end = qScopeGuard([this] { rehearsed_ = nullptr; });
+    confirm();
+  }
+  if (scene != scene_) emit rehearsed();
+  return scene;
+}
+
 void Document::edit(const QString& name, const Change& change, const QString& gesture) {
+  if (rehearsed_ != nullptr) return change(*rehearsed_);
   modeling::Scene after = scene_;
   change(after);
   // Commands merge with the one before by the gesture's name: another gesture of the same name, begun later,
@@ -58,13 +81,35 @@ void Document::setScene(const modeling::Scene& scene) {
 }
 
 void Document::reset(modeling::Scene scene, std::filesystem::path file, std::filesystem::path baseFolder) {
+  const modeling::FileStamp stamp = modeling::FileStamp::of(file);
+  baseFolder_ = std::move(baseFolder);
+  replace(std::move(scene), std::move(file), stamp);
+}
+
+void Document::reset(modeling::Scene scene, std::filesystem::path file, const modeling::FileStamp& stamp) {
+  baseFolder_.clear();
+  replace(std::move(scene), std::move(file), stamp);
+}
+
+void Document::replace(modeling::Scene scene, std::filesystem::path file, const modeling::FileStamp& stamp) {
   gesture_.clear();
   undoStack_.clear();
+  // To clear a stack that is empty leaves it as unclean as it was (findings/undo-stack-clear).
+  undoStack_.setClean();
   scene_ = std::move(scene);
+  savedScene_ = scene_;
   file_ = std::move(file);
-  baseFolder_ = std::move(baseFolder);
+  stamp_ = stamp;
   emit replaced();
   emit sceneChanged();
+  emit statusChanged();
+}
+
+void Document::takeFromFile(modeling::Scene scene, const modeling::FileStamp& stamp) {
+  edit(tr("Reload"), [&](modeling::Scene& changed) { changed = std::move(scene); });
+  savedScene_ = scene_;
+  stamp_ = stamp;
+  undoStack_.setClean();
   emit statusChanged();
 }
 
@@ -76,8 +121,11 @@ void Document::detachFromFile() {
 }
 
 sim::Status Document::saveTo(const std::filesystem::path& file) {
-  if (const sim::Status saved = modeling::saveScene(scene_, file); !saved) return saved;
+  const std::string text = modeling::writeScene(scene_);
+  if (const sim::Status saved = modeling::replaceFile(file, text); !saved) return saved;
   file_ = file;
+  stamp_ = modeling::FileStamp::ofText(text);
+  savedScene_ = scene_;
   endGesture();
   undoStack_.setClean();
   emit statusChanged();

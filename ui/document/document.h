@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "modeling/files/file_stamp.h"
 #include "modeling/scene/scene.h"
 
 namespace ui {
@@ -30,18 +31,31 @@ class Document : public QObject {
   std::filesystem::path folder() const { return file_.empty() ? baseFolder_ : file_.parent_path(); }
   /// The scene differs from its file.
   bool isModified() const { return !undoStack_.isClean(); }
+  /// What its file held when it was read or saved, and what others have made of it since.
+  const modeling::FileStamp& fileStamp() const { return stamp_; }
+  modeling::FileChange changeOfFile() const;
+  /// The scene as it was read or saved.
+  const modeling::Scene& savedScene() const { return savedScene_; }
   /// What to call it: the scene's name, else its file's, else "Untitled".
-  QString title() const;
+  QString title() const { return titleOf(scene_, file_); }
+  static QString titleOf(const modeling::Scene& scene, const std::filesystem::path& file);
 
   /// Makes one undoable step of a change, named as in "Undo NAME". A change that leaves the scene equal
   /// leaves nothing behind. Successive edits with the same gesture (any text but "") become one step until
   /// endGesture() or another edit: so a drag is undone as a whole, and vanishes when it ends where it began.
   void edit(const QString& name, const Change& change, const QString& gesture = {});
-  void endGesture() { gesture_.clear(); }
+  void endGesture();
+  /// The scene as it would be after the edits that `confirm` makes; nothing comes of them otherwise.
+  modeling::Scene rehearse(const std::function<void()>& confirm);
+  bool isRehearsing() const { return rehearsed_ != nullptr; }
 
   /// Another scene: forgets the history. `file` is where it came from; empty for a new one, whose own files
   /// are looked for in `baseFolder`.
   void reset(modeling::Scene scene, std::filesystem::path file, std::filesystem::path baseFolder = {});
+  /// The same, of a file that held what the stamp says when it was read.
+  void reset(modeling::Scene scene, std::filesystem::path file, const modeling::FileStamp& stamp);
+  /// What its file holds now, as an edit that can be undone; counts as saved.
+  void takeFromFile(modeling::Scene scene, const modeling::FileStamp& stamp);
   /// Writes it, in one step or not at all; the history stays, and remembers this state as the saved one.
   sim::Status saveTo(const std::filesystem::path& file);
   /// Saving asks for a name again; files that the scene names are still looked for where they were.
@@ -56,14 +70,20 @@ class Document : public QObject {
   void replaced();
   /// File, title or whether it is modified.
   void statusChanged();
+  /// Something was rehearsed: what was shown of it is to be shown as it is again.
+  void rehearsed();
 
  private:
   friend class EditCommand;
   void setScene(const modeling::Scene& scene);
+  void replace(modeling::Scene scene, std::filesystem::path file, const modeling::FileStamp& stamp);
 
   modeling::Scene scene_;
   std::filesystem::path file_;
   std::filesystem::path baseFolder_;
+  modeling::FileStamp stamp_;
+  modeling::Scene savedScene_;
+  modeling::Scene* rehearsed_ = nullptr;  ///< takes the edits while they are rehearsed
   QUndoStack undoStack_;
   QString gesture_;
 };

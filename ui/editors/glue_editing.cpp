@@ -130,6 +130,8 @@ void GlueEditing::change(const QString& name, const std::function<void(modeling:
         name, [&](modeling::Scene& scene) { change(scene.glue[*existing_]); }, gesture);
     return;
   }
+  // What is not in the scene yet is not typed into it either.
+  if (session_.document().isRehearsing()) return;
   change(gluing_);
   request();
   emit changed();

@@ -225,7 +225,9 @@ QWidget* ProfileEditor::makeFields() {
   connect(height_, &NumberField::edited, this, [this](std::optional<double> value, bool finished) {
     placeSelected(1, value.value_or(0.0), finished);
   });
-  connect(thickness_, &NumberField::edited, this, [this] { thicknessTyped_ = true; });
+  connect(thickness_, &NumberField::edited, this, [this] {
+    if (!session_.document().isRehearsing()) thicknessTyped_ = true;
+  });
   connect(offset, &QPushButton::clicked, this, &ProfileEditor::offsetInside);
   return row;
 }

@@ -1,77 +1,76 @@
 #include "ui/files/autosave.h"
 
+#include <QApplication>
 #include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
+#include <QDialog>
 #include <QJsonDocument>
 #include <QUuid>
-#include <algorithm>
-#include <chrono>
 
-#include "modeling/exchange/take_scene.h"
+#include "modeling/files/output_file.h"
 #include "modeling/scene/scene_file.h"
-#include "modeling/text/text_file.h"
+#include "ui/document/pending_edit.h"
+#include "ui/files/leftovers.h"
 
 namespace ui {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScene = "autosave.scene.json";
-constexpr const char* kState = "autosave.json";
-constexpr const char* kLock = "running";
-/// A program that has just made its folder may not have locked it yet.
-constexpr std::chrono::minutes kStartingTakes{1};
-
 QString text(const fs::path& path) {
   return QString::fromStdString(path.string());
 }
 
-/// In the order they were made in; their names are known by the state.
-std::vector<LeftTake> takesIn(const fs::path& folder, const QJsonObject& names) {
-  std::vector<LeftTake> takes;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() != ".take") continue;
-    const QJsonObject known = names[text(entry.path().filename())].toObject();
-    takes.push_back({entry.path(), known["name"].toString(), known["note"].toString()});
+/// What is typed in the window. Fields of a dialog count when the dialog says so.
+void confirmPending() {
+  for (QWidget* widget : QApplication::allWidgets()) {
+    auto* pending = dynamic_cast<PendingEdit*>(widget);
+    if (pending != nullptr && widget->isVisible() && qobject_cast<QDialog*>(widget->window()) == nullptr)
+      pending->rehearse();
   }
-  std::sort(takes.begin(), takes.end(),
-            [](const LeftTake& left, const LeftTake& right) { return left.file < right.file; });
-  return takes;
-}
-
-/// The scene that was written aside; where that was not reached, that of the newest take that has one.
-std::optional<modeling::Scene> sceneIn(const fs::path& folder, const std::vector<LeftTake>& takes) {
-  if (sim::Result<modeling::SceneFile> scene = modeling::loadScene(folder / kScene)) return scene->scene;
-  for (auto take = takes.rbegin(); take != takes.rend(); ++take) {
-    const auto reader = sim::TakeReader::open(take->file);
-    if (!reader) continue;
-    if (sim::Result<modeling::Scene> scene = modeling::sceneOf(**reader)) return std::move(scene).value();
-  }
-  return std::nullopt;
-}
-
-std::optional<Leftover> leftoverIn(const fs::path& folder) {
-  Leftover leftover;
-  leftover.folder = folder;
-  QJsonObject names;
-  if (const auto state = modeling::readTextFile(folder / kState, std::uintmax_t{1} << 20U)) {
-    const QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(*state)).object();
-    leftover.file = object["file"].toString().toStdString();
-    leftover.when = QDateTime::fromString(object["when"].toString(), Qt::ISODate);
-    names = object["takes"].toObject();
-  } else {
-    leftover.when = QFileInfo(text(folder)).lastModified();
-  }
-  leftover.takes = takesIn(folder, names);
-  std::optional<modeling::Scene> scene = sceneIn(folder, leftover.takes);
-  if (!scene) return std::nullopt;
-  leftover.scene = std::move(*scene);
-  return leftover;
 }
 
 }  // namespace
+
+struct Autosave::Order {
+  std::uint64_t number = 0;
+  modeling::Scene scene;
+  QJsonObject state;
+
+  bool saysTheSame(const Order& other) const { return scene == other.scene && state == other.state; }
+};
+
+/// Shared with the thread, which may outlive the window by a moment.
+class Autosave::Writer {
+ public:
+  explicit Writer(fs::path folder) : folder_(std::move(folder)) {}
+
+  sim::Status write(const Order& order) {
+    const std::lock_guard lock(mutex_);
+    if (ended_ || order.number <= newest_) return sim::Done{};
+    newest_ = order.number;
+    if (const sim::Status saved = modeling::saveScene(order.scene, folder_ / kAsideScene); !saved)
+      return saved;
+    QJsonObject state = order.state;
+    state["when"] = QDateTime::currentDateTime().toString(Qt::ISODate);
+    return modeling::replaceFile(folder_ / kAsideState, QJsonDocument(state).toJson().toStdString());
+  }
+
+  /// Removes all. A disk that does not answer is not waited for: then the folder is recovered, which is
+  /// better than lost.
+  void end() {
+    if (!mutex_.try_lock_for(std::chrono::milliseconds(500))) return;
+    const std::lock_guard lock(mutex_, std::adopt_lock);
+    ended_ = true;
+    std::error_code error;
+    fs::remove_all(folder_, error);
+  }
+
+ private:
+  const fs::path folder_;
+  std::timed_mutex mutex_;  ///< of all below and of the files; held while the disk is waited for
+  std::uint64_t newest_ = 0;
+  bool ended_ = false;
+};
 
 fs::path Autosave::newFolder(const fs::path& root) {
   const std::string name = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
@@ -82,81 +81,74 @@ fs::path Autosave::newFolder(const fs::path& root) {
 }
 
 Autosave::Autosave(Session& session, fs::path folder)
-    : session_(session), folder_(std::move(folder)), lock_(text(folder_ / kLock)) {
+    : session_(session),
+      folder_(std::move(folder)),
+      lock_(text(folder_ / kAsideLock)),
+      writer_(std::make_shared<Writer>(folder_)),
+      worker_([writer = writer_](const std::shared_ptr<const Order>& order, auto&) {
+        return writer->write(*order);
+      }) {
   // A lock whose program runs is never stale, however old.
   lock_.setStaleLockTime(0);
   lock_.tryLock(0);
-  regular_.setInterval(kMinutes * 60 * 1000);
-  regular_.start();
-  afterEdit_.setSingleShot(true);
-  afterEdit_.setInterval(kSecondsAfterEdit * 1000);
-  connect(&regular_, &QTimer::timeout, this, &Autosave::write);
-  connect(&afterEdit_, &QTimer::timeout, this, &Autosave::write);
-  connect(&session_.document(), &Document::sceneChanged, &afterEdit_, qOverload<>(&QTimer::start));
-  connect(&session_, &Session::runChanged, this, [this] {
-    if (!session_.hasRun()) write();
-  });
-  connect(&session_.takes(), &TakeList::changed, this, &Autosave::write);
+  timer_.setInterval(kSeconds * 1000);
+  timer_.start();
+  connect(&timer_, &QTimer::timeout, this, &Autosave::begin);
+  // Not in the middle of what changes them.
+  connect(&session_.document(), &Document::statusChanged, this, &Autosave::begin, Qt::QueuedConnection);
+  connect(&session_.takes(), &TakeList::changed, this, &Autosave::begin, Qt::QueuedConnection);
 }
 
 Autosave::~Autosave() {
-  std::error_code error;
+  worker_.requestStop();
+  writer_->end();
   lock_.unlock();
-  fs::remove_all(folder_, error);
 }
 
-QJsonObject Autosave::state() const {
+QJsonObject Autosave::state(bool modified) const {
+  const Document& document = session_.document();
   QJsonObject takes;
   for (const Take& take : session_.takes()) {
     if (take.footage->file().parent_path() != folder_) continue;
     takes[text(take.footage->file().filename())] = QJsonObject{{"name", take.name}, {"note", take.note}};
   }
-  return {{"file", text(session_.document().file())}, {"takes", takes}};
+  return {{"file", text(document.file())},
+          {"folder", text(document.folder())},
+          {"stamp", QString::fromStdString(document.fileStamp().text())},
+          {"modified", modified},
+          {"takes", takes}};
+}
+
+/// Null where there is nothing new.
+std::shared_ptr<const Autosave::Order> Autosave::newOrder() {
+  Document& document = session_.document();
+  if (document.isRehearsing()) return nullptr;
+  auto order = std::make_shared<Order>();
+  order->scene = document.rehearse(confirmPending);
+  const bool modified = document.isModified() || order->scene != document.scene();
+  order->state = state(modified);
+  const bool worthKeeping = modified || !order->state["takes"].toObject().isEmpty();
+  if (!ordered_ && !worthKeeping) return nullptr;
+  if (ordered_ && ordered_->saysTheSame(*order)) return nullptr;
+  order->number = ++orders_;
+  ordered_ = order;
+  return order;
+}
+
+void Autosave::begin() {
+  if (const auto last = worker_.newest(); last->problem && last->request != failed_) {
+    failed_ = last->request;
+    // It is tried again, and told of once.
+    ordered_ = nullptr;
+    if (std::exchange(told_, last->problem->line()) != last->problem->line()) session_.report(*last->problem);
+  }
+  if (const auto order = newOrder()) worker_.request(order);
 }
 
 void Autosave::write() {
-  const Document& document = session_.document();
-  QJsonObject state = this->state();
-  const bool worthKeeping = document.isModified() || !state["takes"].toObject().isEmpty();
-  if (!worthKeeping || document.scene().parts.empty()) return;
-  if (written_ == document.scene() && writtenState_ == state) return;
-  const sim::Status saved = modeling::saveScene(document.scene(), folder_ / kScene);
-  const QJsonObject now = state;
-  state["when"] = QDateTime::currentDateTime().toString(Qt::ISODate);
-  const std::string json = QJsonDocument(state).toJson().toStdString();
-  const sim::Status noted = modeling::replaceTextFile(folder_ / kState, json);
-  if (saved && noted) {
-    written_ = document.scene();
-    writtenState_ = now;
-  } else {
-    session_.report(saved ? noted.problem() : saved.problem());
-  }
-}
-
-std::vector<Leftover> Autosave::leftovers(const fs::path& root) {
-  std::vector<Leftover> found;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(root, error)) {
-    QLockFile lock(text(entry.path() / kLock));
-    lock.setStaleLockTime(0);
-    // It runs still.
-    if (!entry.is_directory() || !lock.tryLock(0)) continue;
-    std::optional<Leftover> leftover = leftoverIn(entry.path());
-    lock.unlock();
-    if (leftover) {
-      found.push_back(std::move(*leftover));
-    } else if (fs::file_time_type::clock::now() - entry.last_write_time(error) > kStartingTakes) {
-      fs::remove_all(entry.path(), error);
-    }
-  }
-  std::sort(found.begin(), found.end(),
-            [](const Leftover& left, const Leftover& right) { return left.when > right.when; });
-  return found;
-}
-
-void Autosave::discard(const Leftover& leftover) {
-  std::error_code error;
-  fs::remove_all(leftover.folder, error);
+  const auto order = newOrder();
+  if (!order) return;
+  if (const sim::Status written = writer_->write(*order); !written) session_.report(written.problem());
 }
 
 }  // namespace ui

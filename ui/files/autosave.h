@@ -1,37 +1,28 @@
 #pragma once
 
-#include <QDateTime>
 #include <QJsonObject>
 #include <QLockFile>
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
-#include <optional>
-#include <vector>
+#include <memory>
 
+#include "ui/session/background_worker.h"
 #include "ui/session/session.h"
 
 namespace ui {
 
-/// Work that a program which was killed left behind.
-struct Leftover {
-  std::filesystem::path folder;  ///< of the autosave
-  modeling::Scene scene;
-  std::filesystem::path file;  ///< where the scene had been saved; empty: nowhere
-  std::vector<LeftTake> takes;
-  QDateTime when;
-};
-
-/// Writes the scene aside every two minutes, when a run begins and ends and shortly after an edit, so that
-/// what was done is there again after a crash. Each running program has a folder of its own, which is removed
-/// when it ends well.
+/// Writes the scene aside, so that what was done is there again after a crash (leftovers.h). Each running
+/// program has a folder of its own, which is removed when it ends well.
+///
+/// It looks every five seconds, whatever goes on: a run, a drag, a question that waits for an answer. What is
+/// typed and not confirmed yet (PendingEdit) is written as if it were. So no more than five seconds and the
+/// writing are lost; fifteen are promised. The disk is waited for in a thread of its own.
 class Autosave : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kMinutes = 2;
-  /// After an edit: long enough that a drag is not written move by move.
-  static constexpr int kSecondsAfterEdit = 5;
+  static constexpr int kSeconds = 5;
 
   /// `folder` is newFolder() of this program.
   Autosave(Session& session, std::filesystem::path folder);
@@ -41,23 +32,27 @@ class Autosave : public QObject {
   /// A folder for this program in `root`, where those of all running programs are; its takes go there, too.
   static std::filesystem::path newFolder(const std::filesystem::path& root);
 
-  /// Writes now, if anything changed.
+  /// Writes now, if anything changed, and returns when the disk has it.
   void write();
 
-  /// Of programs that do not run any more, the newest first.
-  static std::vector<Leftover> leftovers(const std::filesystem::path& root);
-  static void discard(const Leftover& leftover);
-
  private:
-  QJsonObject state() const;
+  struct Order;
+  class Writer;
+
+  std::shared_ptr<const Order> newOrder();
+  void begin();
+  QJsonObject state(bool modified) const;
 
   Session& session_;
   std::filesystem::path folder_;
   QLockFile lock_;
-  QTimer regular_;
-  QTimer afterEdit_;
-  modeling::Scene written_;
-  QJsonObject writtenState_;
+  QTimer timer_;
+  std::shared_ptr<Writer> writer_;
+  std::shared_ptr<const Order> ordered_;  ///< what was written last, or is about to be; null: nothing yet
+  std::uint64_t orders_ = 0;
+  std::uint64_t failed_ = 0;  ///< number of the worker's request that failed last
+  std::string told_;          ///< why
+  BackgroundWorker<std::shared_ptr<const Order>, bool> worker_;
 };
 
 }  // namespace ui

@@ -6,12 +6,19 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "modeling/exchange/take_scene.h"
+#include "modeling/files/output_file.h"
+#include "modeling/files/output_guard.h"
 #include "modeling/scene/resources.h"
 #include "modeling/scene/salvage.h"
+#include "modeling/scene/scene_file.h"
+#include "modeling/scene/scene_files.h"
 #include "ui/document/new_scene.h"
+#include "ui/files/opened_file.h"
 #include "ui/theme/theme.h"
 
 namespace ui {
@@ -53,6 +60,7 @@ FileActions::FileActions(Session& session, RecentFiles& recent, QWidget* window)
   save_ = action("save", tr("&Save"), QKeySequence::Save, [this] { save(); });
   saveAs_ =
       action("save", tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
+  reload_ = action("restart", tr("Reloa&d"), {}, [this] { reload(); });
   saveTake_ = action("film", tr("Save &Take As…"), {}, [this] {
     const auto take = session_.takes().current();
     if (!take) return;
@@ -61,6 +69,10 @@ FileActions::FileActions(Session& session, RecentFiles& recent, QWidget* window)
     if (const sim::Status saved = session_.takes().save(*take, name.toStdString()); !saved)
       session_.report(saved.problem());
   });
+  new OpenedFile(session_, this);
+  connect(&session_.document(), &Document::statusChanged, this,
+          [this] { reload_->setEnabled(!session_.document().file().empty()); });
+  reload_->setEnabled(false);
   const auto judge = [this] { saveTake_->setEnabled(session_.takes().current() && !session_.hasRun()); };
   connect(&session_.takes(), &TakeList::changed, this, judge);
   connect(&session_, &Session::runChanged, this, judge);
@@ -75,6 +87,7 @@ void FileActions::addTo(QMenu& menu) {
   menu.addSeparator();
   menu.addAction(save_);
   menu.addAction(saveAs_);
+  menu.addAction(reload_);
   menu.addAction(saveTake_);
 }
 
@@ -136,6 +149,8 @@ void FileActions::open(const fs::path& file) {
 }
 
 void FileActions::openScene(const fs::path& file) {
+  // Before it is read: what changes it meanwhile is noticed.
+  const modeling::FileStamp stamp = modeling::FileStamp::of(file);
   sim::Result<modeling::SalvagedScene> salvaged = modeling::salvageScene(file);
   if (!salvaged) {
     recent_.remove(file);
@@ -143,7 +158,7 @@ void FileActions::openScene(const fs::path& file) {
     return;
   }
   if (!mayLeave()) return;
-  session_.document().reset(std::move(salvaged->scene), file);
+  session_.document().reset(std::move(salvaged->scene), file, stamp);
   recent_.add(file);
   emit opened();
   if (!salvaged->notes.empty()) tell(salvaged->notes);
@@ -196,11 +211,73 @@ void FileActions::openTake(const fs::path& file) {
   emit this->opened();
 }
 
-bool FileActions::save() {
-  if (session_.document().file().empty()) return saveAs();
-  const sim::Status saved = session_.document().saveTo(session_.document().file());
+bool FileActions::saveTo(const fs::path& file) {
+  modeling::OutputGuard guard;
+  const Document& document = session_.document();
+  guard.reads(modeling::filesOf(document.scene(), document.folder()));
+  // Its own file is a scene, whatever has become of it.
+  if (file != document.file()) guard.writes(file, modeling::kinds::scene);
+  sim::Status saved = guard.check();
+  if (saved) saved = session_.document().saveTo(file);
   if (!saved) session_.report(saved.problem());
   return saved.ok();
+}
+
+bool FileActions::save() {
+  const Document& document = session_.document();
+  if (document.file().empty()) return saveAs();
+  const modeling::FileChange change = document.changeOfFile();
+  return change == modeling::FileChange::none ? saveTo(document.file()) : saveOverChange(change);
+}
+
+/// Somebody else has changed the file since it was read: the later does not win without being asked.
+bool FileActions::saveOverChange(modeling::FileChange change) {
+  const Document& document = session_.document();
+  const bool gone = change == modeling::FileChange::gone;
+  const QString words = gone ? tr("The file of “%1” was deleted or renamed by somebody else.")
+                             : tr("The file of “%1” was changed by somebody else.");
+  QMessageBox question(QMessageBox::Warning, tr("Save"), words.arg(document.title()), QMessageBox::NoButton,
+                       window_);
+  question.setInformativeText(
+      gone ? text(document.file())
+           : tr("%1\nChanged there: %2.\nTo save anyway keeps the other version beside it; to reload can be "
+                "undone.")
+                 .arg(text(document.file()), changeInWords(document)));
+  QPushButton* anyway = question.addButton(tr("Save Anyway"), QMessageBox::DestructiveRole);
+  QPushButton* as = question.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+  QPushButton* reloads = gone ? nullptr : question.addButton(tr("Reload"), QMessageBox::ActionRole);
+  question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(as);
+  question.exec();
+  const QAbstractButton* chosen = question.clickedButton();
+  if (chosen == anyway) return (gone || keepOther()) && saveTo(document.file());
+  if (chosen == as) return saveAs();
+  if (reloads != nullptr && chosen == reloads) reload();
+  return false;
+}
+
+/// "cup.scene.json" is copied to "cup.other-1.scene.json".
+bool FileActions::keepOther() const {
+  const fs::path& file = session_.document().file();
+  std::string name = file.filename().string();
+  const std::size_t dot = std::min(name.find('.', 1), name.size());
+  fs::path other;
+  std::error_code error;
+  for (int number = 1; other.empty() || fs::exists(fs::symlink_status(other, error)); ++number)
+    other =
+        file.parent_path() / (name.substr(0, dot) + ".other-" + std::to_string(number) + name.substr(dot));
+  const sim::Status kept = modeling::replaceByCopy(other, file);
+  if (!kept) session_.report(kept.problem());
+  return kept.ok();
+}
+
+void FileActions::reload() {
+  Document& document = session_.document();
+  const modeling::FileStamp stamp = modeling::FileStamp::of(document.file());
+  sim::Result<modeling::SceneFile> read = modeling::loadScene(document.file());
+  if (!read) return session_.report(read.problem());
+  document.takeFromFile(std::move(read->scene), stamp);
+  if (!read->notes.empty()) tell(read->notes);
 }
 
 bool FileActions::saveAs() {
@@ -211,10 +288,11 @@ bool FileActions::saveAs() {
   if (name.isEmpty()) return false;
   if (QFileInfo(name).suffix().isEmpty()) name += kSceneEnding;
   const fs::path file = name.toStdString();
-  if (const sim::Status saved = session_.document().saveTo(file); !saved) {
-    session_.report(saved.problem());
-    return false;
-  }
+  std::error_code error;
+  const fs::path& own = session_.document().file();
+  // Its own file, too, may have been changed by somebody else.
+  if (!own.empty() && fs::equivalent(file, own, error)) return save();
+  if (!saveTo(file)) return false;
   recent_.add(file);
   return true;
 }

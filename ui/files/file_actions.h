@@ -34,6 +34,8 @@ class FileActions : public QObject {
   /// False where it was not saved.
   bool save();
   bool saveAs();
+  /// What the file of the scene holds now, in place of the scene; an edit that can be undone.
+  void reload();
 
   /// Where files are looked for that can be opened by dropping them on the window.
   static bool canOpen(const std::filesystem::path& file);
@@ -44,6 +46,9 @@ class FileActions : public QObject {
 
  private:
   void askWhatToOpen();
+  bool saveTo(const std::filesystem::path& file);
+  bool saveOverChange(modeling::FileChange change);
+  bool keepOther() const;
   void openScene(const std::filesystem::path& file);
   void openTake(const std::filesystem::path& file);
   void tell(const std::vector<sim::Problem>& notes);
@@ -57,6 +62,7 @@ class FileActions : public QObject {
   QAction* open_;
   QAction* save_;
   QAction* saveAs_;
+  QAction* reload_;
   QAction* saveTake_;
 };
 

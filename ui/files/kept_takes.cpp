@@ -1,46 +1,24 @@
 #include "ui/files/kept_takes.h"
 
 #include <QCryptographicHash>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
+#include <QFileInfo>
 #include <QTimer>
 #include <algorithm>
 
-#include "modeling/text/text_file.h"
+#include "modeling/files/output_file.h"
+#include "ui/files/saved_picture.h"
 
 namespace ui {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kIndex = "takes.json";
 /// Share of the scene's time: the last frame may be one short of it.
 constexpr double kWhole = 0.9;
-constexpr std::uintmax_t kMostIndexBytes = std::uintmax_t{1} << 22U;
 
 fs::path pictureOf(const fs::path& take) {
   fs::path picture = take;
   return picture.replace_extension(".png");
-}
-
-QJsonObject entryOf(const fs::path& file, const TakeLabel& label) {
-  QJsonObject entry;
-  entry["file"] = QString::fromStdString(file.filename().string());
-  entry["name"] = label.name;
-  if (!label.note.isEmpty()) entry["note"] = label.note;
-  if (label.continuedAt) entry["continuedAt"] = *label.continuedAt;
-  entry["made"] = label.made.toString(Qt::ISODate);
-  return entry;
-}
-
-TakeLabel labelOf(const QJsonObject& entry) {
-  TakeLabel label;
-  label.name = entry["name"].toString();
-  label.note = entry["note"].toString();
-  if (entry["continuedAt"].isDouble()) label.continuedAt = entry["continuedAt"].toDouble();
-  label.made = QDateTime::fromString(entry["made"].toString(), Qt::ISODate);
-  return label;
 }
 
 }  // namespace
@@ -74,7 +52,8 @@ void KeptTakes::follow() {
   const fs::path& file = session_.document().file();
   if (file != sceneFile_) {
     sceneFile_ = file;
-    written_.clear();
+    known_.clear();
+    removed_.clear();
     if (!file.empty()) folder_ = folderOf(file);
     if (!file.empty() && replaced_) load();
     keep();
@@ -83,15 +62,9 @@ void KeptTakes::follow() {
 }
 
 void KeptTakes::load() {
-  const auto text = modeling::readTextFile(folder_ / kIndex, kMostIndexBytes);
-  if (!text) return;
-  const QJsonArray entries = QJsonDocument::fromJson(QByteArray::fromStdString(*text)).array();
-  for (const QJsonValue& value : entries) {
-    // A name with a folder in it is none of ours.
-    const fs::path file = fs::path(value["file"].toString().toStdString()).filename();
-    std::error_code error;
-    if (file.extension() == ".take" && fs::exists(folder_ / file, error))
-      waiting_.push_back({folder_ / file, labelOf(value.toObject())});
+  for (IndexedTake& take : TakeIndex(folder_).read()) {
+    known_[take.file] = take.label;
+    waiting_.push_back(std::move(take));
   }
   if (!waiting_.empty()) QTimer::singleShot(0, this, &KeptTakes::listNext);
 }
@@ -104,11 +77,12 @@ bool KeptTakes::isListed(const fs::path& file) const {
 /// One take a turn: the window answers in between.
 void KeptTakes::listNext() {
   if (waiting_.empty()) return;
-  const Entry entry = std::move(waiting_.front());
+  const IndexedTake take = std::move(waiting_.front());
   waiting_.pop_front();
-  if (!isListed(entry.file)) {
-    const sim::Status listed = session_.takes().list(
-        entry.file, entry.label, QImage(QString::fromStdString(pictureOf(entry.file).string())));
+  const fs::path file = folder_ / take.file;
+  if (!isListed(file)) {
+    const sim::Status listed =
+        session_.takes().list(file, take.label, QImage(QString::fromStdString(pictureOf(file).string())));
     if (!listed) session_.report(listed.problem());
   }
   if (waiting_.empty()) {
@@ -133,18 +107,22 @@ void KeptTakes::chooseNewest() {
 void KeptTakes::keep() {
   // An empty list may be that of a document which is being replaced: only who takes the last one out means
   // it.
-  if (sceneFile_.empty() || (session_.takes().empty() && !removed_)) return;
-  removed_ = false;
+  if (sceneFile_.empty() || (session_.takes().empty() && removed_.empty())) return;
   std::error_code error;
   fs::create_directories(folder_, error);
   for (const Take& take : session_.takes()) {
     if (!take.own) continue;
     keepRecording(take.footage->file());
-    const fs::path picture = pictureOf(folder_ / take.footage->file().filename());
-    if (!take.thumbnail.isNull() && !fs::exists(picture, error))
-      take.thumbnail.save(QString::fromStdString(picture.string()));
+    keepPicture(take);
   }
   writeIndex();
+}
+
+void KeptTakes::keepPicture(const Take& take) {
+  std::error_code error;
+  const fs::path picture = pictureOf(folder_ / take.footage->file().filename());
+  if (take.thumbnail.isNull() || fs::exists(picture, error)) return;
+  static_cast<void>(savePicture(take.thumbnail, picture));
 }
 
 void KeptTakes::keepRecording(const fs::path& file) {
@@ -153,31 +131,54 @@ void KeptTakes::keepRecording(const fs::path& file) {
   if (file.parent_path() == folder_ || fs::exists(kept, error)) return;
   fs::create_hard_link(file, kept, error);
   if (!error || session_.hasRun()) return;
-  fs::copy_file(file, kept, error);
-  if (error)
-    session_.report({file.string(), "the take could not be kept: " + error.message(),
+  if (const sim::Status copied = modeling::replaceByCopy(kept, file); !copied)
+    session_.report({file.string(), "the take could not be kept: " + copied.problem().what,
                      "save it as a file of its own, or make room"});
 }
 
 void KeptTakes::writeIndex() {
-  QJsonArray entries;
+  std::vector<IndexedTake> ours;
+  std::map<std::string, TakeLabel> said;
+  std::error_code error;
   for (const Take& take : session_.takes()) {
-    if (take.own) entries.append(entryOf(take.footage->file(), take));
+    const fs::path& file = take.footage->file();
+    // Another window may have deleted what it and we took from the folder.
+    if (!take.own || (file.parent_path() == folder_ && !fs::exists(file, error))) continue;
+    ours.push_back({file.filename().string(), take});
+    said[ours.back().file] = take;
   }
-  for (const Entry& entry : waiting_) entries.append(entryOf(entry.file, entry.label));
-  const QByteArray json = QJsonDocument(entries).toJson();
-  if (json == written_) return;
-  const sim::Status written = modeling::replaceTextFile(folder_ / kIndex, json.toStdString());
-  if (written) {
-    written_ = json;
-  } else {
+  for (const IndexedTake& take : waiting_) said[take.file] = take.label;
+  if (said == known_ && removed_.empty()) return;
+  const sim::Status written = TakeIndex(folder_).merge(ours, known_, removed_);
+  if (!written) session_.report(written.problem());
+  known_ = std::move(said);
+  removed_.clear();
+}
+
+void KeptTakes::receive(const std::vector<LeftTake>& takes, const fs::path& sceneFile) {
+  const fs::path folder = folderOf(sceneFile);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  std::vector<IndexedTake> received;
+  for (const LeftTake& left : takes) {
+    const fs::path kept = folder / left.file.filename();
+    if (fs::exists(kept, error)) continue;
+    fs::rename(left.file, kept, error);
+    if (error) continue;
+    TakeLabel label;
+    label.name = left.name.isEmpty() ? QString::fromStdString(left.file.stem().string()) : left.name;
+    label.note = left.note;
+    label.made = QFileInfo(QString::fromStdString(kept.string())).lastModified();
+    received.push_back({kept.filename().string(), label});
+  }
+  if (received.empty()) return;
+  if (const sim::Status written = TakeIndex(folder).merge(received, {}, {}); !written)
     session_.report(written.problem());
-  }
 }
 
 void KeptTakes::forget(const fs::path& file) {
   if (sceneFile_.empty()) return;
-  removed_ = true;
+  removed_.insert(file.filename().string());
   std::error_code error;
   fs::remove(folder_ / file.filename(), error);
   fs::remove(pictureOf(folder_ / file.filename()), error);

@@ -6,6 +6,8 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "ui/files/saved_picture.h"
+
 namespace ui {
 namespace {
 
@@ -66,7 +68,8 @@ QImage RecentFiles::picture(const std::filesystem::path& file) const {
 }
 
 void RecentFiles::setPicture(const std::filesystem::path& file, const QImage& picture) {
-  picture.save(pictureFile(wholePath(file)));
+  // A picture less in the gallery is nothing to tell of.
+  static_cast<void>(savePicture(picture, pictureFile(wholePath(file)).toStdString()));
   emit changed();
 }
 

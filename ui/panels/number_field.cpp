@@ -252,14 +252,12 @@ void NumberField::beginEditing() {
   setCursor(Qt::IBeamCursor);
 }
 
-bool NumberField::takeText() {
-  const QString text = editor_->text().trimmed();
-  if (text == typedFrom_) return true;
-  const bool absent = text.isEmpty() || text.compare(format_.autoText, Qt::CaseInsensitive) == 0;
-  if (!format_.autoText.isEmpty() && absent) {
-    change(std::nullopt, true);
-    return true;
-  }
+bool NumberField::meansAbsent(const QString& text) const {
+  if (format_.autoText.isEmpty()) return false;
+  return text.isEmpty() || text.compare(format_.autoText, Qt::CaseInsensitive) == 0;
+}
+
+Reading NumberField::readText() const {
   const Unit& assumed =
       unitFor(format_.dimension, value_.value_or(autoValue_.value_or(default_.value_or(0.0))));
   Reading reading = readQuantity(editor_->text(), format_.dimension, assumed);
@@ -269,12 +267,37 @@ bool NumberField::takeText() {
     reading.errorAt = 0;
     reading.error = rangeText();
   }
+  return reading;
+}
+
+bool NumberField::takeText() {
+  const QString text = editor_->text().trimmed();
+  if (text == typedFrom_) return true;
+  if (meansAbsent(text)) {
+    change(std::nullopt, true);
+    return true;
+  }
+  const Reading reading = readText();
   if (!reading.value) {
     showError(reading);
     return false;
   }
   change(fitted(*reading.value), true);
   return true;
+}
+
+void NumberField::rehearse() {
+  if (!editor_ || editor_->text().trimmed() == typedFrom_) return;
+  const std::optional<double> before = value_;
+  if (meansAbsent(editor_->text().trimmed())) {
+    value_.reset();
+  } else {
+    const Reading reading = readText();
+    if (!reading.value) return;
+    value_ = fitted(*reading.value);
+  }
+  emit edited(value_, true);
+  value_ = before;
 }
 
 QString NumberField::rangeText() const {

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "ui/document/pending_edit.h"
 #include "ui/panels/quantity.h"
 
 class QLineEdit;
@@ -25,7 +26,7 @@ struct NumberFormat {
 /// A number with its unit that can be dragged to the left and right (Shift: finer, Ctrl: in steps), clicked
 /// and typed with arithmetic and units, stepped by wheel and arrow keys, and reset by a double click. Esc
 /// takes back what is under way; Tab takes it and goes on.
-class NumberField : public QWidget {
+class NumberField : public QWidget, public PendingEdit {
   Q_OBJECT
 
  public:
@@ -48,6 +49,7 @@ class NumberField : public QWidget {
 
   bool isEditing() const;
   void beginEditing();
+  void rehearse() override;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -78,6 +80,9 @@ class NumberField : public QWidget {
   void stepBy(double steps);
   void settleSteps();
   void cancelDrag();
+  bool meansAbsent(const QString& text) const;
+  /// What is typed, where the field may have it.
+  Reading readText() const;
   /// False: the text means nothing, and the person was told why.
   bool takeText();
   void endEditing();

@@ -167,6 +167,15 @@ void Outliner::takeName(QTreeWidgetItem* row, int column) {
   showing_ = false;
 }
 
+/// The name that is being typed into a row.
+void Outliner::rehearse() {
+  const std::optional<Item> item = OutlinerTree::itemOf(tree_->currentItem());
+  const auto* editor = tree_->viewport()->findChild<QLineEdit*>();
+  if (!item || editor == nullptr || !editor->isVisible() || !editor->isModified()) return;
+  const std::string name = editor->text().trimmed().toStdString();
+  session_.document().edit(tr("Rename"), [&](modeling::Scene& scene) { rename(scene, *item, name); });
+}
+
 void Outliner::takeClick(QTreeWidgetItem* row, int column) {
   const std::optional<Item> item = OutlinerTree::itemOf(row);
   if (!item || column == OutlinerTree::nameColumn) return;

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ui/document/pending_edit.h"
 #include "ui/session/session.h"
 
 class QLabel;
@@ -14,7 +15,7 @@ class OutlinerTree;
 class SceneActions;
 
 /// What is in the scene, by kind: selects, renames, hides, locks, orders.
-class Outliner : public QWidget {
+class Outliner : public QWidget, public PendingEdit {
   Q_OBJECT
 
  public:
@@ -23,6 +24,7 @@ class Outliner : public QWidget {
   OutlinerTree& tree() { return *tree_; }
   /// Starts typing a new name for what is selected last.
   void renameSelected();
+  void rehearse() override;
 
  private:
   void showScene();

@@ -16,6 +16,7 @@ TextField::TextField(QWidget* parent) : QLineEdit(parent) {
 }
 
 void TextField::setValue(const QString& text) {
+  if (rehearsing_) return;
   const bool typing = hasFocus() && isModified();
   value_ = text;
   if (typing || text == this->text()) return;
@@ -31,6 +32,14 @@ void TextField::take() {
   emit edited(typed);
   // What was refused goes back to what holds.
   if (!isModified() && text() != value_) setText(value_);
+}
+
+void TextField::rehearse() {
+  if (!isModified() || text() == value_) return;
+  rehearsing_ = true;
+  emit edited(text());
+  rehearsing_ = false;
+  setModified(true);
 }
 
 void TextField::keyPressEvent(QKeyEvent* event) {

@@ -5,17 +5,20 @@
 #include <QLineEdit>
 #include <QToolButton>
 
+#include "ui/document/pending_edit.h"
+
 /// Fields of a panel that are not numbers, with signals alike: what the person does, never what the program
 /// sets.
 namespace ui {
 
 /// A line of text that counts when Enter is pressed or the field is left; Esc takes it back.
-class TextField : public QLineEdit {
+class TextField : public QLineEdit, public PendingEdit {
   Q_OBJECT
 
  public:
   explicit TextField(QWidget* parent = nullptr);
   void setValue(const QString& text);
+  void rehearse() override;
 
  signals:
   void edited(const QString& text);
@@ -27,6 +30,7 @@ class TextField : public QLineEdit {
  private:
   void take();
   QString value_;
+  bool rehearsing_ = false;
 };
 
 /// A box to be ticked, in a form.

@@ -84,6 +84,7 @@ Properties::Properties(Session& session, QWidget* parent) : QWidget(parent), ses
   connect(&session_.selection(), &Selection::changed, this, &Properties::showSelection);
   connect(&session_.document(), &Document::sceneChanged, this, &Properties::showSelection);
   connect(&session_.document(), &Document::statusChanged, this, &Properties::showHead);
+  connect(&session_.document(), &Document::rehearsed, this, &Properties::showScene);
   connect(&session_, &Session::previewChanged, this, &Properties::showScene);
   connect(&Theme::instance(), &Theme::changed, this, &Properties::showScene);
   showSelection();

@@ -11,6 +11,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -78,11 +79,13 @@ void TakesPanel::makeButtons() {
   note_ = new QLineEdit(bar_);
   note_->setPlaceholderText(tr("Note on this take"));
   note_->setObjectName(QStringLiteral("takeNote"));
-  connect(note_, &QLineEdit::editingFinished, this, [this] {
-    const std::size_t take = selected();
-    if (take < session_.takes().size() && session_.takes()[take].note != note_->text())
-      session_.takes().setNote(take, note_->text());
-  });
+  connect(note_, &QLineEdit::editingFinished, this, &TakesPanel::takeNote);
+  // What is typed and not confirmed is not lost with the program either.
+  auto* pause = new QTimer(this);
+  pause->setSingleShot(true);
+  pause->setInterval(2000);
+  connect(pause, &QTimer::timeout, this, &TakesPanel::takeNote);
+  connect(note_, &QLineEdit::textEdited, pause, qOverload<>(&QTimer::start));
   column->addWidget(note_);
   auto* row = new QHBoxLayout;
   row->setSpacing(2);
@@ -111,6 +114,12 @@ void TakesPanel::makeButtons() {
   connect(remove_, &QAction::triggered, this, &TakesPanel::remove);
   connect(save_, &QAction::triggered, this, &TakesPanel::saveAs);
   connect(open_, &QAction::triggered, this, &TakesPanel::open);
+}
+
+void TakesPanel::takeNote() {
+  const std::size_t take = selected();
+  if (take < session_.takes().size() && session_.takes()[take].note != note_->text())
+    session_.takes().setNote(take, note_->text());
 }
 
 /// In the list Delete and F2 are meant for takes, not for what is selected in the scene.

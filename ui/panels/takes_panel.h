@@ -27,6 +27,7 @@ class TakesPanel : public QWidget {
   QWidget* makeEmpty();
   void makeButtons();
   void showTakes();
+  void takeNote();
   void selectInList();
   std::size_t selected() const;
   void play();

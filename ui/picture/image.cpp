@@ -4,11 +4,10 @@
 #include <cassert>
 #include <csetjmp>
 #include <cstdio>
-#include <memory>
-#include <system_error>
 
 #include <png.h>
 
+#include "modeling/files/output_file.h"
 #include "sim/base/random.h"
 
 namespace ui {
@@ -16,10 +15,6 @@ namespace ui {
 namespace {
 
 constexpr std::uint64_t kDitherSeed = 0xd17e;
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 struct PngWriter {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -72,24 +67,16 @@ std::vector<std::uint8_t> toEightBit(const Image& image) {
 sim::Status writePng(const std::filesystem::path& path, const Image& image, PngDepth depth) {
   assert(image.samples.size() ==
          3U * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  const sim::Problem unwritable{path.string(), "cannot write this picture",
-                                "choose a folder that exists, is yours and has room"};
-  std::filesystem::path unfinished = path;
-  unfinished += ".part";
-  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(unfinished.c_str(), "wb"));
-  if (!file) return unwritable;
+  auto file = modeling::OutputFile::create(path);
+  if (!file) return file.problem();
   const std::vector<std::uint8_t> bytes =
       depth == PngDepth::eightBit ? toEightBit(image) : toBigEndian(image);
   const PngWriter writer;
-  bool written = writer.info != nullptr &&
-                 encode(writer, file.get(), image, depth == PngDepth::eightBit ? 8 : 16, bytes.data());
-  written = std::fflush(file.get()) == 0 && written;
-  file.reset();
-  std::error_code error;
-  if (written) std::filesystem::rename(unfinished, path, error);
-  if (written && !error) return sim::Done{};
-  std::filesystem::remove(unfinished, error);
-  return unwritable;
+  const bool written = writer.info != nullptr && encode(writer, file->stream(), image,
+                                                        depth == PngDepth::eightBit ? 8 : 16, bytes.data());
+  if (written) return file->finish();
+  return sim::Problem{path.string(), "cannot write this picture",
+                      "choose a folder that exists, is yours and has room"};
 }
 
 }  // namespace ui

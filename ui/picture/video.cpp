@@ -11,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "modeling/files/output_file.h"
+
 namespace ui {
 
 namespace {
@@ -72,7 +74,8 @@ const Codec* codecOf(const std::filesystem::path& path) {
   return found == codecs().end() ? nullptr : &*found;
 }
 
-std::vector<std::string> argumentsOf(const VideoRequest& request, const Codec& codec) {
+std::vector<std::string> argumentsOf(const VideoRequest& request, const std::filesystem::path& out,
+                                     const Codec& codec) {
   std::vector<std::string> arguments{"ffmpeg",
                                      "-nostdin",
                                      "-y",
@@ -88,7 +91,7 @@ std::vector<std::string> argumentsOf(const VideoRequest& request, const Codec& c
                                      std::to_string(request.count)};
   arguments.insert(arguments.end(), codec.arguments.begin(), codec.arguments.end());
   // A name that begins with a hyphen is no option.
-  arguments.push_back("file:" + request.out.string());
+  arguments.push_back("file:" + out.string());
   return arguments;
 }
 
@@ -118,8 +121,12 @@ sim::Status writeVideo(const VideoRequest& request) {
     return sim::Problem{request.out.string(), "no film has this ending",
                         "end it in .mp4, .mov, .webm, .gif, .webp or .apng"};
   }
-  const int status = run(argumentsOf(request, *codec));
-  if (status == 0) return sim::Done{};
+  auto film = modeling::OutputFile::create(request.out);
+  if (!film) return film.problem();
+  if (film->draft().empty())
+    return sim::Problem{request.out.string(), "a film cannot be written to this", "name a file"};
+  const int status = run(argumentsOf(request, film->draft(), *codec));
+  if (status == 0) return film->finish();
   // 127 is what a shell answers for a program that is not there, and some systems' posix_spawnp too.
   if (status < 0 || status == 127) {
     return sim::Problem{request.out.string(), "there is no ffmpeg to make a film with",

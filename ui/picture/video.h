@@ -19,7 +19,7 @@ struct VideoRequest {
 /// Whether a path's ending is that of a film: mp4, mov, webm, gif, webp or apng.
 bool isVideoPath(const std::filesystem::path& path);
 
-/// A Problem when there is no ffmpeg or it fails.
+/// The film appears whole or not at all. A Problem when there is no ffmpeg or it fails.
 sim::Status writeVideo(const VideoRequest& request);
 
 }  // namespace ui

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "modeling/exchange/export.h"
+#include "modeling/scene/scene_files.h"
+#include "ui/picture/picture_files.h"
 #include "ui/picture/video.h"
 
 namespace ui {
@@ -20,6 +22,7 @@ class Drawing {
   Drawing(const PictureJob::Order& order, Job& job) : order_(order), job_(job) {}
 
   sim::Status drawAll() {
+    if (const auto safe = check(); !safe) return safe;
     const double aspect = static_cast<double>(order_.settings.width) / std::max(1, order_.settings.height);
     auto pictures = TakePictures::create(order_.frames, order_.first, order_.last, aspect, order_.choices);
     if (!pictures) return pictures.problem();
@@ -30,19 +33,29 @@ class Drawing {
  private:
   /// The frames are kept where the film cannot be made of them.
   sim::Status drawVideo(TakePictures& pictures) {
-    const std::filesystem::path folder = order_.out.string() + ".frames";
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return sim::Problem{folder.string(), "the folder cannot be made", "choose another place"};
-    if (auto status = drawFrames(pictures, folder / "frame.png"); !status) return status;
-    auto status = writeVideo({(folder / "frame.%04d.png").string(), order_.first, frameCount(),
-                              order_.framesPerSecond, order_.out});
-    if (status) std::filesystem::remove_all(folder, error);
+    const auto folder = FilmFolder::open(order_.out);
+    if (!folder) return folder.problem();
+    if (auto status = drawFrames(pictures, folder->path() / "frame.png"); !status) return status;
+    auto status = writeVideo(
+        {folder->pattern().string(), order_.first, frameCount(), order_.framesPerSecond, order_.out});
+    if (status) folder->remove();
     return status;
   }
 
+  bool isNumbered() const { return !order_.out.empty() && (frameCount() > 1 || isVideoPath(order_.out)); }
+
+  /// Nothing else is spoilt by it.
+  sim::Status check() const {
+    if (order_.out.empty()) return sim::Done{};
+    modeling::OutputGuard guard;
+    guard.reads(modeling::filesOf(order_.frames.scene, order_.frames.folder));
+    guard.writes(pictureFiles(order_.out, order_.first, order_.last, isNumbered(), false));
+    if (const auto safe = guard.check(); !safe) return safe;
+    return isVideoPath(order_.out) ? FilmFolder::check(order_.out) : sim::Status(sim::Done{});
+  }
+
   sim::Status drawFrames(TakePictures& pictures, const std::filesystem::path& out) {
-    const bool numbered = !out.empty() && (frameCount() > 1 || isVideoPath(order_.out));
+    const bool numbered = isNumbered();
     for (std::size_t frame = order_.first; frame <= order_.last; ++frame) {
       const std::filesystem::path path = numbered ? modeling::numberedPath(out, frame) : out;
       if (auto status = drawFrame(pictures, frame, path); !status) return status;

@@ -1,8 +1,11 @@
 #include "ui/session/take_list.h"
 
 #include <QFileInfo>
+#include <QUuid>
 #include <algorithm>
 
+#include "modeling/files/output_file.h"
+#include "modeling/files/output_guard.h"
 #include "modeling/scene/scene_file.h"
 
 namespace ui {
@@ -79,7 +82,9 @@ std::filesystem::path TakeList::newFile() const {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   const std::string stamp = QDateTime::currentDateTime().toString("yyyyMMdd-hhmmss-zzz").toStdString();
-  return folder_ / ("take-" + stamp + ".take");
+  // Two windows may begin in the same millisecond, and their takes come into one folder.
+  const std::string unique = QUuid::createUuid().toString(QUuid::Id128).left(6).toStdString();
+  return folder_ / ("take-" + stamp + "-" + unique + ".take");
 }
 
 QString TakeList::freshName() const {
@@ -143,16 +148,11 @@ void TakeList::adopt(const std::vector<LeftTake>& takes) {
 
 sim::Status TakeList::save(std::size_t take, const std::filesystem::path& file) const {
   const std::filesystem::path& from = takes_.at(take).footage->file();
-  std::error_code error;
-  std::filesystem::path partial = file;
-  partial += ".part";
-  std::filesystem::copy_file(from, partial, std::filesystem::copy_options::overwrite_existing, error);
-  if (!error) std::filesystem::rename(partial, file, error);
-  if (!error) return sim::Done{};
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  return sim::Problem{file.string(), "the take could not be saved: " + error.message(),
-                      "choose another folder, or make room"};
+  modeling::OutputGuard guard;
+  guard.reads(from);
+  guard.writes(file, modeling::kinds::take);
+  if (const sim::Status safe = guard.check(); !safe) return safe;
+  return modeling::replaceByCopy(file, from);
 }
 
 }  // namespace ui

@@ -19,6 +19,8 @@ struct TakeLabel {
   QString note;
   std::optional<double> continuedAt;  ///< s: where it left the take it was continued from
   QDateTime made;
+
+  bool operator==(const TakeLabel&) const = default;
 };
 
 /// A take in the window's list.

@@ -3,6 +3,7 @@
 #include <QFrame>
 #include <vector>
 
+#include "ui/document/pending_edit.h"
 #include "ui/timeline/track_following.h"
 
 class QDoubleSpinBox;
@@ -13,13 +14,14 @@ class Document;
 
 /// Fields beside a key, into which its time and value are typed. Goes away when one clicks elsewhere, by
 /// Enter, by Esc, which leaves the key as it was, and when the key goes.
-class KeyPopup : public QFrame {
+class KeyPopup : public QFrame, public PendingEdit {
   Q_OBJECT
 
  public:
   KeyPopup(Document& document, const KeyPlace& place, QWidget* parent);
 
   void open(const QPoint& globalPosition);
+  void rehearse() override { apply(); }
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

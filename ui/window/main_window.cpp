@@ -17,7 +17,6 @@
 
 #include "ui/document/place_words.h"
 #include "ui/editors/editor_actions.h"
-#include "ui/files/autosave.h"
 #include "ui/panels/add_actions.h"
 #include "ui/panels/empty_scene.h"
 #include "ui/panels/scene_actions.h"
@@ -207,31 +206,6 @@ void MainWindow::showProblem(const sim::Problem& problem) {
   problems_->show(problem, placeInWords(session_.document().scene(), problem.place));
   if (showsGallery() && !problems_->isVisible())
     QMessageBox::warning(this, tr("Smithereens"), QString::fromStdString(problem.line()));
-}
-
-void MainWindow::offerLeftovers(const std::filesystem::path& root) {
-  for (const Leftover& leftover : Autosave::leftovers(root)) {
-    const QString name =
-        leftover.scene.name.empty() ? tr("Untitled") : QString::fromStdString(leftover.scene.name);
-    QMessageBox question(QMessageBox::Question, tr("Recover"),
-                         tr("“%1” was not saved when the program ended unexpectedly.").arg(name),
-                         QMessageBox::NoButton, this);
-    question.setInformativeText(
-        tr("It was kept at %1.").arg(QLocale().toString(leftover.when, QLocale::ShortFormat)));
-    QPushButton* recover = question.addButton(tr("Recover"), QMessageBox::AcceptRole);
-    QPushButton* discard = question.addButton(tr("Discard"), QMessageBox::DestructiveRole);
-    question.addButton(tr("Later"), QMessageBox::RejectRole);
-    question.setDefaultButton(recover);
-    question.exec();
-    if (question.clickedButton() == static_cast<QAbstractButton*>(discard)) Autosave::discard(leftover);
-    if (question.clickedButton() != static_cast<QAbstractButton*>(recover)) continue;
-    session_.document().reset(leftover.scene, leftover.file);
-    session_.document().markUnsaved();
-    session_.takes().adopt(leftover.takes);
-    Autosave::discard(leftover);
-    showViewport();
-    return;
-  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -31,8 +31,6 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *viewport_; }
   FileActions& files() { return *actions_.files; }
 
-  /// Asks whether to take up what programs that were killed left in `root`.
-  void offerLeftovers(const std::filesystem::path& root);
   /// The gallery in the viewport's place; the scene stays open behind it.
   void showGallery();
   void showViewport();
