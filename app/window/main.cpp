@@ -13,6 +13,7 @@
 #include "ui/files/kept_takes.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport_renderer.h"
+#include "ui/window/application.h"
 #include "ui/window/main_window.h"
 
 namespace {
@@ -36,7 +37,7 @@ int complainOfOpenGl() {
   return EXIT_FAILURE;
 }
 
-int run(QApplication& application) {
+int run(ui::Application& application) {
   QCommandLineParser arguments;
   arguments.setApplicationDescription(
       QApplication::translate("main", "Dishes of nodes and springs that bend and break."));
@@ -57,6 +58,7 @@ int run(QApplication& application) {
   ui::Autosave autosave(session, folder);
   const ui::KeptTakes takes(session, data / "takes");
   ui::MainWindow window(session);
+  ui::spreadNet(application, session, autosave);
   window.show();
   const QStringList files = arguments.positionalArguments();
   if (!files.isEmpty()) window.files().open(files.front().toStdString());
@@ -77,7 +79,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));
   QApplication::setApplicationVersion(QStringLiteral(SMITHEREENS_VERSION));
   try {
-    QApplication application(argc, argv);
+    ui::Application application(argc, argv);
     return run(application);
   } catch (const std::exception& exception) {
     std::cerr << "smithereens: stopped: " << exception.what() << '\n';

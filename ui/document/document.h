@@ -4,6 +4,7 @@
 #include <QUndoStack>
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 #include "modeling/scene/scene.h"
 
@@ -18,6 +19,9 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
+  /// Steps that can be undone; those before are forgotten. As many scenes of some ten kilobytes are in
+  /// memory.
+  static constexpr int kMostSteps = 300;
   using Change = std::function<void(modeling::Scene&)>;
 
   explicit Document(QObject* parent = nullptr);
@@ -59,9 +63,12 @@ class Document : public QObject {
 
  private:
   friend class EditCommand;
-  void setScene(const modeling::Scene& scene);
+  using ScenePointer = std::shared_ptr<const modeling::Scene>;
+  void setScene(const ScenePointer& scene);
 
   modeling::Scene scene_;
+  /// Equal to the scene, as the history keeps it.
+  ScenePointer kept_ = std::make_shared<const modeling::Scene>();
   std::filesystem::path file_;
   std::filesystem::path baseFolder_;
   QUndoStack undoStack_;
