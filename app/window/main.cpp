@@ -15,6 +15,7 @@
 #include "ui/viewport/viewport_renderer.h"
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
+#include "ui/window/memory.h"
 
 namespace {
 
@@ -74,12 +75,14 @@ int main(int argc, char** argv) {
   // program.
   std::signal(SIGXFSZ, SIG_IGN);
 #endif
+  ui::shareHeaps();
   ui::ViewportRenderer::askForContexts();
   QApplication::setApplicationName(QStringLiteral("Smithereens"));
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));
   QApplication::setApplicationVersion(QStringLiteral(SMITHEREENS_VERSION));
   try {
     ui::Application application(argc, argv);
+    ui::giveBackNowAndThen(application);
     return run(application);
   } catch (const std::exception& exception) {
     std::cerr << "smithereens: stopped: " << exception.what() << '\n';

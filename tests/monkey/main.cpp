@@ -1,5 +1,6 @@
 // The monkey uses the real window by chance, for as long as it is told, and says what broke.
 #include <QCommandLineParser>
+#include <QDialog>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -15,6 +16,7 @@
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport_renderer.h"
 #include "ui/window/application.h"
+#include "ui/window/memory.h"
 
 namespace {
 
@@ -86,9 +88,21 @@ class Player {
       if (log_.is_open()) log_ << one.line() << std::endl;
       watch_.begin(one.line());
       // Before it is done: a dialog comes back when it is closed, and somebody has to close it.
-      QTimer::singleShot(0, qApp, [this] { next(); });
+      QTimer::singleShot(0, qApp, [this] { nextWhenReady(); });
+      ++under_;
       performer_.perform(one);
+      --under_;
     });
+  }
+  /// What an action waits for, such as the end of a drag, is let go on after a while; else it is to end
+  /// first.
+  void nextWhenReady(int waited = 0) {
+    constexpr int kWait = 5;  // ms
+    constexpr int kLongest = 200;  // ms
+    const bool asked =
+        QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr;
+    if (under_ == 0 || asked || waited > kLongest) return next();
+    QTimer::singleShot(kWait, qApp, [this, waited] { nextWhenReady(waited + kWait); });
   }
   long count() const { return count_; }
 
@@ -103,13 +117,14 @@ class Player {
     return std::nullopt;
   }
   void finish() {
-    if (std::exchange(ended_, true)) return;
+    ended_ = true;
     // Dialogs keep the event loop until they are closed.
-    while (QWidget* open = QApplication::activeModalWidget()) {
-      open->close();
-      QApplication::processEvents();
-    }
-    QApplication::quit();
+    if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+    if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->reject();
+    const bool open =
+        QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr;
+    if (!open) return QApplication::quit();
+    QTimer::singleShot(20, qApp, [this] { finish(); });
   }
 
   const Orders& orders_;
@@ -120,13 +135,14 @@ class Player {
   std::ifstream script_;
   QElapsedTimer clock_;
   long count_ = 0;
+  int under_ = 0;  ///< actions that are under way, one within the other
   bool ended_ = false;
 };
 
 int report(const Orders& orders, long actions, int caught, const monkey::Watch& watch) {
   for (const monkey::Stall& stall : watch.stalls())
-    std::cout << "stalled " << stall.own << " s (" << stall.seconds
-              << " by the clock) during: " << stall.during << '\n';
+    std::cout << "stalled " << stall.own << " s (" << stall.seconds << " by the clock"
+              << (stall.drawing ? ", in the driver of OpenGL" : "") << ") during: " << stall.during << '\n';
   const std::size_t every = std::max<std::size_t>(1, watch.memory().size() / 30);
   for (std::size_t i = 0; i < watch.memory().size(); i += every) {
     const monkey::Memory& memory = watch.memory()[i];
@@ -134,10 +150,10 @@ int report(const Orders& orders, long actions, int caught, const monkey::Watch& 
   }
   const double growth = watch.growth();
   std::cout << "seed " << orders.seed << ", " << actions << " actions, " << caught << " caught, "
-            << watch.stalls().size() << " stalls, longest wait " << watch.longest() << " s, memory grew by "
+            << watch.ownStalls() << " stalls, longest wait " << watch.longest() << " s, memory grew by "
             << 100.0 * growth << " per cent\n";
   const bool grew = orders.growth > 0.0 && growth > orders.growth;
-  return caught == 0 && watch.stalls().empty() && !grew ? EXIT_SUCCESS : EXIT_FAILURE;
+  return caught == 0 && watch.ownStalls() == 0 && !grew ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
@@ -147,10 +163,12 @@ int main(int argc, char** argv) {
   const QTemporaryDir home;
   for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"})
     qputenv(variable, home.path().toUtf8());
+  ui::shareHeaps();
   ui::ViewportRenderer::askForContexts(1);
   QApplication::setApplicationName(QStringLiteral("Smithereens"));
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));
   ui::Application application(argc, argv);
+  ui::giveBackNowAndThen(application);
   const Orders orders = ordersOf(QApplication::arguments());
   const std::filesystem::path folder = home.path().toStdString();
   std::filesystem::current_path(folder);
@@ -159,6 +177,8 @@ int main(int argc, char** argv) {
   monkey::Watch watch;
   Cage cage(folder);
   ui::spreadNet(application, cage.session, cage.autosave);
+  QObject::connect(&application, &ui::Application::caught,
+                   [](const sim::Problem& problem) { monkey::Watch::tellThrow(problem.what); });
   Player player(orders, cage, folder, watch);
   player.next();
   QApplication::exec();

@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QTest>
 #include <QWheelEvent>
 #include <QWindow>
@@ -33,6 +34,12 @@ Qt::KeyboardModifiers modifiersOf(const QString& word) {
 
 QWindow* handleOf(QWidget* widget) {
   return widget != nullptr ? widget->window()->windowHandle() : nullptr;
+}
+
+/// The press may close the window that it goes to.
+void click(const QPointer<QWindow>& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  if (window) QTest::keyPress(window, key, modifiers);
+  if (window) QTest::keyRelease(window, key, modifiers);
 }
 
 ui::Item itemOf(const QStringList& words) {
@@ -91,15 +98,15 @@ bool Performer::point(const QString& verb, const Words& words) {
 
 bool Performer::press(const QString& verb, const Words& words) {
   QWidget* focus = QApplication::focusWidget();
-  QWindow* window = handleOf(QApplication::activePopupWidget());
+  QPointer<QWindow> window = handleOf(QApplication::activePopupWidget());
   if (window == nullptr) window = focus != nullptr ? handleOf(focus) : handleOf(topWindow(QCursor::pos()));
   if (verb == QLatin1String("key")) {
     const QKeySequence keys(words.value(0));
     if (keys.isEmpty() || window == nullptr) return true;
-    QTest::keyClick(window, keys[0].key(), keys[0].keyboardModifiers());
+    click(window, keys[0].key(), keys[0].keyboardModifiers());
   } else if (verb == QLatin1String("type")) {
     if (window == nullptr) return true;
-    for (const QChar letter : words.value(0)) QTest::keyClick(window, letter.toLatin1());
+    for (const QChar letter : words.value(0)) click(window, QTest::asciiToKey(letter.toLatin1()), {});
   } else if (verb == QLatin1String("file")) {
     chooseFile(words.value(0));
   } else if (verb == QLatin1String("trigger")) {

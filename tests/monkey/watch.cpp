@@ -1,12 +1,18 @@
 #include "tests/monkey/watch.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <string_view>
+#include <typeinfo>
+#include <utility>
 
+#include <dlfcn.h>
 #include <execinfo.h>
 #include <malloc.h>
 #include <pthread.h>
@@ -20,6 +26,8 @@ constexpr int kRemember = 5000;  // ms
 constexpr double kMegabyte = 1e6;
 char present[512] = "";  ///< the action, for signal handlers
 pthread_t windowThread;
+std::array<void*, 64> stalledAt;
+std::atomic<int> stalledDepth{0};
 
 void write(const char* words) {
   static_cast<void>(::write(STDERR_FILENO, words, std::strlen(words)));
@@ -35,7 +43,20 @@ void tellStall(int) {
   write("monkey: the window does not answer, during: ");
   write(present);
   write("\n");
-  writeCalls();
+  stalledDepth = backtrace(stalledAt.data(), static_cast<int>(stalledAt.size()));
+  backtrace_symbols_fd(stalledAt.data(), stalledDepth, STDERR_FILENO);
+}
+
+/// Whether the calls that were found when the window did not answer lead through the driver of OpenGL.
+bool stalledInDriver() {
+  for (int call = 0; call < stalledDepth; ++call) {
+    Dl_info info;
+    if (dladdr(stalledAt[static_cast<std::size_t>(call)], &info) == 0 || info.dli_fname == nullptr) continue;
+    const std::string_view file = info.dli_fname;
+    for (const char* driver : {"_dri", "libLLVM", "libgallium", "libGLX"})
+      if (file.find(driver) != std::string_view::npos) return true;
+  }
+  return false;
 }
 
 void tellCrash(int signal) {
@@ -56,7 +77,31 @@ double secondsWaited() {
   return waited * 1e-9;
 }
 
+std::array<void*, 64> thrownAt;
+int thrownDepth = 0;
+
 }  // namespace
+
+#ifndef __SANITIZE_ADDRESS__
+/// In place of the library's, to know where an exception came from that was caught far away.
+extern "C" [[noreturn]] void __cxa_throw(void* thrown, std::type_info* type, void (*destroy)(void*)) {
+  using Throw = void (*)(void*, std::type_info*, void (*)(void*));
+  static const auto real = reinterpret_cast<Throw>(dlsym(RTLD_NEXT, "__cxa_throw"));
+  if (pthread_equal(pthread_self(), windowThread) != 0)
+    thrownDepth = backtrace(thrownAt.data(), static_cast<int>(thrownAt.size()));
+  real(thrown, type, destroy);
+  std::abort();
+}
+#endif
+
+void Watch::tellThrow(const std::string& what) {
+  write("monkey: caught: ");
+  write(what.c_str());
+  write(", during: ");
+  write(present);
+  write("\n");
+  backtrace_symbols_fd(thrownAt.data(), thrownDepth, STDERR_FILENO);
+}
 
 Memory memoryNow() {
   Memory memory;
@@ -104,9 +149,10 @@ void Watch::begin(const std::string& action) {
 void Watch::beat() {
   const qint64 now = clock_.elapsed();
   const double waited = secondsWaited();
-  Stall stall{static_cast<double>(now - beatAt_) * 1e-3, 0.0, action_};
+  Stall stall{static_cast<double>(now - beatAt_) * 1e-3, 0.0, action_, stalledInDriver()};
+  stalledDepth = 0;
   stall.own = stall.seconds - (waited - waitedBefore_);
-  longest_ = std::max(longest_, stall.own);
+  if (!stall.drawing) longest_ = std::max(longest_, stall.own);
   if (stall.own > kLongest) stalls_.push_back(stall);
   beatAt_ = now;
   waitedBefore_ = waited;
@@ -124,6 +170,10 @@ void Watch::main() {
     pthread_kill(windowThread, SIGABRT);
     return;
   }
+}
+
+std::size_t Watch::ownStalls() const {
+  return static_cast<std::size_t>(std::ranges::count(stalls_, false, &Stall::drawing));
 }
 
 double Watch::growth() const {

@@ -23,10 +23,13 @@ struct Stall {
   double seconds = 0.0;  ///< by the clock
   double own = 0.0;      ///< without what the thread waited for a processor
   std::string during;    ///< the action
+  bool drawing =
+      false;  ///< the driver of OpenGL, which builds its programs when they are first needed, took the time
 };
 
-/// Watches the window from a thread of its own: whether it answers, and how much memory it takes. Where it
-/// crashes, or does not answer for minutes, the action and the calls that led there are written to stderr.
+/// Watches the window from a thread of its own: whether it answers, and how much memory it takes. What the
+/// driver of OpenGL takes is told, and is not of our making. Where it crashes, or does not answer for
+/// minutes, the action and the calls that led there are written to stderr.
 class Watch {
  public:
   static constexpr double kLongest = 2.0;  ///< s: what the window may let wait
@@ -37,10 +40,14 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
+  /// Says on stderr during what and by which calls the exception was thrown that was caught just now.
+  static void tellThrow(const std::string& what);
   /// Which action is under way, for what is reported.
   void begin(const std::string& action);
-  /// Those longer than kLongest by our own making.
+  /// Those longer than kLongest.
   const std::vector<Stall>& stalls() const { return stalls_; }
+  /// How many of them are of our own making.
+  std::size_t ownStalls() const;
   double longest() const { return longest_; }
   const std::vector<Memory>& memory() const { return memory_; }
   /// How much more is in memory at the end than after the first sixth, as a share of that.

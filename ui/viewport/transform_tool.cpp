@@ -59,9 +59,13 @@ bool TransformTool::begin(Viewport& viewport, const TransformHold& hold, const Q
   const TransformStart start(session.document().scene(), session.selection().items());
   drag_ =
       Drag{start, session.selection().items(), start, *handles, hold, at, at, grabbed, snaps_, {}, 0.0, {}};
-  disconnect(following_);
-  following_ =
-      connect(&session.document(), &Document::sceneChanged, this, [this, &session] { followScene(session); });
+  unfollow();
+  following_ = {
+      connect(&session.document(), &Document::sceneChanged, this, [this, &session] { followScene(session); }),
+      connect(&session.document(), &Document::replaced, this, [this] {
+        drag_.reset();
+        lit_.reset();
+      })};
   update(viewport);
   return true;
 }
@@ -73,6 +77,10 @@ void TransformTool::followScene(Session& session) {
   session.document().endGesture();
   drag_.reset();
   lit_.reset();
+}
+
+void TransformTool::unfollow() {
+  for (const QMetaObject::Connection& connection : following_) disconnect(connection);
 }
 
 void TransformTool::leave(Viewport& viewport) {
@@ -147,7 +155,7 @@ bool TransformTool::cancel(Viewport& viewport) {
 
 void TransformTool::end(Viewport& viewport) {
   viewport.session().document().endGesture();
-  disconnect(following_);
+  unfollow();
   drag_.reset();
   lit_.reset();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 #include <optional>
 
 #include "ui/viewport/tool.h"
@@ -60,6 +61,7 @@ class TransformTool : public QObject, public Tool {
   void update(Viewport& viewport);
   void end(Viewport& viewport);
   void followScene(Session& session);
+  void unfollow();
   void apply(Viewport& viewport, const Transform& transform);
   Transform transformOf(const Viewport& viewport) const;
   sim::Vec3 pointerOffset(const Viewport& viewport) const;
@@ -74,7 +76,7 @@ class TransformTool : public QObject, public Tool {
   std::optional<Drag> drag_;
   std::optional<TransformHold> lit_;
   bool applying_ = false;
-  QMetaObject::Connection following_;  ///< of the scene, while something is dragged
+  std::array<QMetaObject::Connection, 2> following_;  ///< of the document, while something is dragged
 };
 
 }  // namespace ui

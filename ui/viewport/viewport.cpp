@@ -75,7 +75,12 @@ void Viewport::setViewSettings(const ViewSettings& settings) {
 void Viewport::frameFirst() {
   const DrawData& content = *drawn();
   if (!frameWhenShown_ || session_.isBuilding() || !content.shown.scene) return;
-  if (content.shown.network != session_.shown().network) return;
+  // What is drawn may still be of the scene before.
+  const bool present = content.shown.recorded
+                           ? session_.playback().footage() && session_.shown().recorded &&
+                                 !session_.awaitedFrame() && content.shown.network == session_.shown().network
+                           : content.shown.scene.get() == &session_.preview()->scene;
+  if (!present) return;
   if (content.box.isEmpty() && content.colliders.empty()) return;
   // A scene that begins with nothing but a floor is framed once more when something stands on it.
   frameWhenShown_ = content.box.isEmpty();
