@@ -14,7 +14,9 @@
 #include "ui/files/recovery.h"
 #include "ui/theme/theme.h"
 #include "ui/viewport/viewport_renderer.h"
+#include "ui/window/application.h"
 #include "ui/window/main_window.h"
+#include "ui/window/memory.h"
 
 namespace {
 
@@ -37,7 +39,7 @@ int complainOfOpenGl() {
   return EXIT_FAILURE;
 }
 
-int run(QApplication& application) {
+int run(ui::Application& application) {
   QCommandLineParser arguments;
   arguments.setApplicationDescription(
       QApplication::translate("main", "Dishes of nodes and springs that bend and break."));
@@ -63,6 +65,7 @@ int run(QApplication& application) {
   ui::Autosave autosave(session, folder);
   ui::KeptTakes takes(session, data / "takes");
   ui::MainWindow window(session);
+  ui::spreadNet(application, session, autosave);
   window.show();
   const QStringList files = arguments.positionalArguments();
   if (!files.isEmpty()) window.files().open(files.front().toStdString());
@@ -84,12 +87,14 @@ int main(int argc, char** argv) {
   // program.
   std::signal(SIGXFSZ, SIG_IGN);
 #endif
+  ui::shareHeaps();
   ui::ViewportRenderer::askForContexts();
   QApplication::setApplicationName(QStringLiteral("Smithereens"));
   QApplication::setOrganizationName(QStringLiteral("Smithereens"));
   QApplication::setApplicationVersion(QStringLiteral(SMITHEREENS_VERSION));
   try {
-    QApplication application(argc, argv);
+    ui::Application application(argc, argv);
+    ui::giveBackNowAndThen(application);
     return run(application);
   } catch (const std::exception& exception) {
     std::cerr << "smithereens: stopped: " << exception.what() << '\n';

@@ -1,6 +1,8 @@
 #include "ui/document/document.h"
 
 #include <QScopeGuard>
+#include <QTimer>
+#include <exception>
 
 #include "modeling/files/output_file.h"
 #include "modeling/scene/scene_file.h"
@@ -8,10 +10,11 @@
 
 namespace ui {
 
-EditCommand::EditCommand(Document& document, const QString& name, modeling::Scene after, QString gesture)
+EditCommand::EditCommand(Document& document, const QString& name, Document::ScenePointer after,
+                         QString gesture)
     : QUndoCommand(name),
       document_(document),
-      before_(document.scene()),
+      before_(document.kept_),
       after_(std::move(after)),
       gesture_(std::move(gesture)) {}
 
@@ -23,11 +26,12 @@ bool EditCommand::mergeWith(const QUndoCommand* next) {
   const auto& later = static_cast<const EditCommand&>(*next);
   if (later.gesture_ != gesture_) return false;
   after_ = later.after_;
-  setObsolete(after_ == before_);
+  setObsolete(*after_ == *before_);
   return true;
 }
 
 Document::Document(QObject* parent) : QObject(parent) {
+  undoStack_.setUndoLimit(kMostSteps);
   connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::statusChanged);
 }
 
@@ -69,15 +73,23 @@ void Document::edit(const QString& name, const Change& change, const QString& ge
   gesture_ = gesture;
   if (after == scene_) return;
   const QString unique = gesture.isEmpty() ? QString() : gesture + QString::number(gestures);
-  undoStack_.push(new EditCommand(*this, name, std::move(after), unique));
+  undoStack_.push(
+      new EditCommand(*this, name, std::make_shared<const modeling::Scene>(std::move(after)), unique));
 }
 
-void Document::setScene(const modeling::Scene& scene) {
-  if (scene == scene_) return;
-  const bool renamed = scene.name != scene_.name;
-  scene_ = scene;
-  emit sceneChanged();
-  if (renamed) emit statusChanged();
+void Document::setScene(const ScenePointer& scene) {
+  kept_ = scene;
+  if (*scene == scene_) return;
+  const bool renamed = scene->name != scene_.name;
+  scene_ = *scene;
+  // What a listener throws must not tear the history, which has half of a step done: it is thrown again from
+  // the event loop.
+  try {
+    emit sceneChanged();
+    if (renamed) emit statusChanged();
+  } catch (...) {
+    QTimer::singleShot(0, this, [thrown = std::current_exception()] { std::rethrow_exception(thrown); });
+  }
 }
 
 void Document::reset(modeling::Scene scene, std::filesystem::path file, std::filesystem::path baseFolder) {
@@ -98,6 +110,7 @@ void Document::replace(modeling::Scene scene, std::filesystem::path file, const 
   undoStack_.setClean();
   scene_ = std::move(scene);
   savedScene_ = scene_;
+  kept_ = std::make_shared<const modeling::Scene>(scene_);
   file_ = std::move(file);
   stamp_ = stamp;
   emit replaced();

@@ -4,6 +4,7 @@
 #include <QUndoStack>
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 #include "modeling/files/file_stamp.h"
 #include "modeling/scene/scene.h"
@@ -19,6 +20,9 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
+  /// Steps that can be undone; those before are forgotten. As many scenes of some ten kilobytes are in
+  /// memory.
+  static constexpr int kMostSteps = 300;
   using Change = std::function<void(modeling::Scene&)>;
 
   explicit Document(QObject* parent = nullptr);
@@ -75,10 +79,13 @@ class Document : public QObject {
 
  private:
   friend class EditCommand;
-  void setScene(const modeling::Scene& scene);
+  using ScenePointer = std::shared_ptr<const modeling::Scene>;
+  void setScene(const ScenePointer& scene);
   void replace(modeling::Scene scene, std::filesystem::path file, const modeling::FileStamp& stamp);
 
   modeling::Scene scene_;
+  /// Equal to the scene, as the history keeps it.
+  ScenePointer kept_ = std::make_shared<const modeling::Scene>();
   std::filesystem::path file_;
   std::filesystem::path baseFolder_;
   modeling::FileStamp stamp_;

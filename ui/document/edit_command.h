@@ -6,11 +6,12 @@
 
 namespace ui {
 
-/// One step of the history: the scene before and after. A scene is a few kilobytes of values, so keeping two
-/// of them is cheaper than a command class for every kind of edit, and undo cannot miss anything.
+/// One step of the history: the scene before and after. A scene is a few kilobytes of values, so keeping it
+/// is cheaper than a command class for every kind of edit, and undo cannot miss anything. The scene after a
+/// step is that before the next, and kept once.
 class EditCommand : public QUndoCommand {
  public:
-  EditCommand(Document& document, const QString& name, modeling::Scene after, QString gesture);
+  EditCommand(Document& document, const QString& name, Document::ScenePointer after, QString gesture);
 
   void undo() override { document_.setScene(before_); }
   void redo() override { document_.setScene(after_); }
@@ -19,8 +20,8 @@ class EditCommand : public QUndoCommand {
 
  private:
   Document& document_;
-  modeling::Scene before_;
-  modeling::Scene after_;
+  Document::ScenePointer before_;
+  Document::ScenePointer after_;
   QString gesture_;
 };
 

@@ -47,7 +47,7 @@ QString nameOf(const modeling::Scene& scene, const Item& item) {
 
 Selection::Selection(Document& document) : QObject(&document), document_(document) {
   connect(&document, &Document::replaced, this, &Selection::clear);
-  connect(&document, &Document::sceneChanged, this, &Selection::dropMissing);
+  connect(&document, &Document::sceneChanged, this, &Selection::follow);
 }
 
 bool Selection::contains(const Item& item) const {
@@ -58,6 +58,7 @@ void Selection::set(std::vector<Item> items) {
   std::erase_if(items, [&](const Item& item) { return item.index >= countOf(document_.scene(), item.kind); });
   if (items == items_) return;
   items_ = std::move(items);
+  remember();
   emit changed();
 }
 
@@ -67,8 +68,34 @@ void Selection::toggle(const Item& item) {
   set(std::move(items));
 }
 
-void Selection::dropMissing() {
-  set(items_);
+void Selection::remember() {
+  names_.clear();
+  counts_.clear();
+  for (const Item& item : items_) {
+    names_.push_back(nameOf(document_.scene(), item));
+    counts_.push_back(countOf(document_.scene(), item.kind));
+  }
+}
+
+/// What an item has become in the scene as it is now.
+std::optional<Item> Selection::followed(std::size_t place) const {
+  const modeling::Scene& scene = document_.scene();
+  const Item& item = items_[place];
+  const std::size_t count = countOf(scene, item.kind);
+  if (item.index < count && nameOf(scene, item) == names_[place]) return item;
+  for (std::size_t i = 0; i < count; ++i)
+    if (nameOf(scene, {item.kind, i}) == names_[place]) return Item{item.kind, i};
+  // Under no other name there are as many as before: it is called otherwise.
+  const bool renamed = count == counts_[place] && item.index < count;
+  return renamed ? std::optional(item) : std::nullopt;
+}
+
+void Selection::follow() {
+  std::vector<Item> items;
+  for (std::size_t place = 0; place < items_.size(); ++place)
+    if (const std::optional<Item> item = followed(place)) items.push_back(*item);
+  set(std::move(items));
+  remember();
 }
 
 }  // namespace ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 #include "ui/document/document.h"
@@ -22,8 +23,8 @@ std::size_t countOf(const modeling::Scene& scene, ItemKind kind);
 /// What to call it, as people see it: a gluing is "handle to body", a track is what it drives.
 QString nameOf(const modeling::Scene& scene, const Item& item);
 
-/// What is selected, in the order of selecting; the last is the one whose properties are shown. An item that
-/// an edit or undo took away is dropped by itself.
+/// What is selected, in the order of selecting; the last is the one whose properties are shown. An item stays
+/// selected where edits and undo move it to in its list, and is dropped where they take it away.
 class Selection : public QObject {
   Q_OBJECT
 
@@ -44,10 +45,14 @@ class Selection : public QObject {
   void changed();
 
  private:
-  void dropMissing();
+  void follow();
+  void remember();
+  std::optional<Item> followed(std::size_t place) const;
 
   Document& document_;
   std::vector<Item> items_;
+  std::vector<QString> names_;       ///< of the items, when they were selected or followed
+  std::vector<std::size_t> counts_;  ///< of each kind, then
 };
 
 }  // namespace ui

@@ -76,6 +76,7 @@ void GlueEditing::edit(std::size_t gluing) {
   const modeling::Scene& scene = session_.document().scene();
   if (gluing >= scene.glue.size()) return;
   existing_ = gluing;
+  glueCount_ = scene.glue.size();
   gluing_ = scene.glue[gluing];
   stage_ = Stage::adjust;
   outcome_.reset();
@@ -182,6 +183,7 @@ void GlueEditing::glue() {
   const modeling::Gluing made = gluing_;
   const std::size_t index = session_.document().scene().glue.size();
   existing_ = index;
+  glueCount_ = index + 1;
   session_.document().edit(
       tr("Glue %1 to %2").arg(QString::fromStdString(made.a), QString::fromStdString(made.b)),
       [&](modeling::Scene& scene) { scene.glue.push_back(made); });
@@ -203,8 +205,11 @@ void GlueEditing::follow() {
   const modeling::Scene& scene = session_.document().scene();
   if (existing_) {
     const auto sameParts = gluingOf(scene, gluing_.a, gluing_.b);
+    // Without it either a part was renamed, and the gluing stands where it stood, or it is gone.
+    if (!sameParts && scene.glue.size() != glueCount_) return end();
     if (sameParts) existing_ = sameParts;
     if (*existing_ >= scene.glue.size()) return end();
+    glueCount_ = scene.glue.size();
     gluing_ = scene.glue[*existing_];
   } else {
     const bool hasA = stage_ == Stage::chooseA || partOf(scene, gluing_.a) != nullptr;

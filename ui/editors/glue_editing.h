@@ -77,6 +77,7 @@ class GlueEditing : public QObject {
   Stage stage_ = Stage::off;
   modeling::Gluing gluing_;
   std::optional<std::size_t> existing_;
+  std::size_t glueCount_ = 0;  ///< gluings of the scene, where `existing_` is one of them
   std::shared_ptr<const GlueOutcome> outcome_;
   QTimer timer_;
   BackgroundWorker<Request, GlueOutcome> worker_;

@@ -63,6 +63,20 @@ const modeling::Part* PointsTool::find() const {
   return nullptr;
 }
 
+void PointsTool::follow() {
+  const modeling::Part* part = find();
+  if (part != nullptr && known_ == part->shape) return;
+  if (dragging_) session_.document().endGesture();
+  dragging_ = false;
+  grabbed_.reset();
+  axis_.reset();
+  hovered_.reset();
+  insertion_.reset();
+  known_ = part != nullptr ? std::optional(part->shape) : std::nullopt;
+  const std::size_t count = part != nullptr ? pointsOf(part->shape)->points.size() : 0;
+  std::erase_if(selected_, [count](std::size_t point) { return point >= count; });
+}
+
 std::optional<std::size_t> PointsTool::pointAt(const Viewport& viewport, const QPointF& pixel) const {
   const modeling::Part* part = find();
   if (part == nullptr) return std::nullopt;
@@ -83,6 +97,7 @@ std::optional<std::size_t> PointsTool::pointAt(const Viewport& viewport, const Q
 }
 
 bool PointsTool::press(Viewport& viewport, const PointerEvent& event) {
+  follow();
   const modeling::Part* part = find();
   if (part == nullptr) return false;
   const bool adds = event.modifiers.testFlag(Qt::ShiftModifier);
@@ -125,12 +140,14 @@ void PointsTool::write(const Vec3& worldBy, bool free) {
   modeling::PartShape shape = shapeAtPress_;
   movePoints(shape, selected_, by, free);
   const auto index = static_cast<std::size_t>(part - session_.document().scene().parts.data());
+  known_ = shape;
   session_.document().edit(
       selected_.size() > 1 ? tr("Move points") : tr("Move point"),
       [&](modeling::Scene& scene) { scene.parts[index].shape = shape; }, QStringLiteral("shape points"));
 }
 
 void PointsTool::move(Viewport& viewport, const PointerEvent& event) {
+  follow();
   if (!grabbed_) return;
   if (!dragging_ && distance(event.position, pressed_) < kDragDistance) return;
   dragging_ = true;
@@ -143,6 +160,7 @@ void PointsTool::move(Viewport& viewport, const PointerEvent& event) {
 }
 
 void PointsTool::release(Viewport& viewport, const PointerEvent&) {
+  follow();
   if (dragging_) session_.document().endGesture();
   dragging_ = false;
   grabbed_.reset();
@@ -151,6 +169,7 @@ void PointsTool::release(Viewport& viewport, const PointerEvent&) {
 }
 
 void PointsTool::hover(Viewport& viewport, const PointerEvent& event) {
+  follow();
   const auto before = hovered_;
   const bool showed = insertion_.has_value();
   hovered_ = pointAt(viewport, event.position);
@@ -195,6 +214,7 @@ std::optional<CurvePoint> PointsTool::curveAt(const Viewport& viewport, const QP
 
 void PointsTool::edit(const QString& name, const modeling::PartShape& shape) {
   const auto index = static_cast<std::size_t>(find() - session_.document().scene().parts.data());
+  known_ = shape;
   session_.document().edit(name, [&](modeling::Scene& scene) { scene.parts[index].shape = shape; });
 }
 
@@ -217,6 +237,7 @@ void PointsTool::removeSelected() {
 }
 
 bool PointsTool::cancel(Viewport& viewport) {
+  follow();
   axis_.reset();
   if (!grabbed_) return false;
   if (dragging_) {
@@ -246,6 +267,7 @@ bool PointsTool::takes(int key, Qt::KeyboardModifiers modifiers) {
 
 bool PointsTool::key(Viewport& viewport, int key, Qt::KeyboardModifiers modifiers) {
   if (!takes(key, modifiers)) return false;
+  follow();
   const Eigen::Index axis = key == Qt::Key_X ? 0 : key == Qt::Key_Y ? 1 : key == Qt::Key_Z ? 2 : -1;
   if (axis >= 0) {
     axis_ = axis_ == axis ? std::nullopt : std::optional(axis);
@@ -259,6 +281,7 @@ bool PointsTool::key(Viewport& viewport, int key, Qt::KeyboardModifiers modifier
 }
 
 void PointsTool::draw(const Viewport&, Overlay& overlay) {
+  follow();
   const modeling::Part* part = find();
   if (part == nullptr) return;
   const Colours& colours = Theme::instance().colours();

@@ -35,6 +35,8 @@ class PointsTool : public Tool {
 
  private:
   const modeling::Part* find() const;
+  /// Undo and others change the part under the hand: what is held of another shape is let go.
+  void follow();
   std::optional<std::size_t> pointAt(const Viewport& viewport, const QPointF& pixel) const;
   /// Where the pointer drags the grabbed point to, cm in the world.
   modeling::Vec3 target(const Viewport& viewport, const QPointF& pixel) const;
@@ -59,6 +61,7 @@ class PointsTool : public Tool {
   QPointF pressed_;
   modeling::Vec3 grabbedAt_ = modeling::Vec3::Zero();  ///< cm, world, at the press
   modeling::PartShape shapeAtPress_;
+  std::optional<modeling::PartShape> known_;  ///< that all of the above are of
 };
 
 }  // namespace ui

@@ -39,7 +39,8 @@ void ProfileCanvas::setModel(std::optional<ProfileModel> model) {
   const bool appears = model && !model_;
   model_ = std::move(model);
   if (!model_) framed_ = false;
-  if (!model_ && drag_ != Drag::pan) drag_ = Drag::none;
+  // Another shape than the one that is held came from elsewhere, such as an undo.
+  if (drag_ != Drag::pan) letGo();
   ControlSet left;
   for (const ControlId& control : selected_)
     if (model_ && model_->has(control)) left.insert(control);
@@ -48,6 +49,14 @@ void ProfileCanvas::setModel(std::optional<ProfileModel> model) {
   setSelected(left);
   if (appears) frame();
   update();
+}
+
+void ProfileCanvas::letGo() {
+  drag_ = Drag::none;
+  dragBase_.reset();
+  grabbed_.reset();
+  snapMark_.reset();
+  boxBase_.clear();
 }
 
 void ProfileCanvas::setSelected(ControlSet controls) {
@@ -84,6 +93,7 @@ void ProfileCanvas::apply(const QString& name, const std::function<sim::Status(P
   }
   emit refused({});
   model_ = std::move(changed);
+  std::erase_if(selected_, [this](const ControlId& control) { return !model_->has(control); });
   emit edited(name, model_->shape(), {});
   update();
 }
@@ -227,6 +237,7 @@ void ProfileCanvas::mousePressEvent(QMouseEvent* event) {
   const std::optional<CurvePlace> place = curveAt(pressed_);
   if (mode_ == Mode::insert && place) {
     insertAt(*place);
+    if (!model_ || selected_.empty()) return;
     grabbed_ = *selected_.begin();
     drag_ = Drag::waiting;
     dragBase_ = model_;
@@ -244,6 +255,8 @@ void ProfileCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ProfileCanvas::mouseMoveEvent(QMouseEvent* event) {
   const QPointF moved = event->position() - pointer_;
+  // A release that another window got is seen by the buttons.
+  if (event->buttons() == Qt::NoButton) letGo();
   pointer_ = event->position();
   switch (drag_) {
     case Drag::pan:
@@ -297,10 +310,7 @@ void ProfileCanvas::selectBox() {
 
 void ProfileCanvas::mouseReleaseEvent(QMouseEvent*) {
   if (drag_ == Drag::controls) emit gestureEnded();
-  drag_ = Drag::none;
-  dragBase_.reset();
-  snapMark_.reset();
-  grabbed_.reset();
+  letGo();
   unsetCursor();
   update();
 }
@@ -311,9 +321,7 @@ void ProfileCanvas::cancelDrag() {
     emit edited(tr("Move profile point"), model_->shape(), QStringLiteral("profile drag"));
     emit gestureEnded();
   }
-  drag_ = Drag::none;
-  dragBase_.reset();
-  snapMark_.reset();
+  letGo();
   update();
 }
 

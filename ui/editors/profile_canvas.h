@@ -78,6 +78,7 @@ class ProfileCanvas : public QWidget {
   void dragControls(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   void selectBox();
   void cancelDrag();
+  void letGo();
   void nudge(int key, Qt::KeyboardModifiers modifiers);
   bool act(int key);
 

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QPointer>
 #include <numbers>
 
 #include "ui/panels/number_field.h"
@@ -185,8 +186,10 @@ void RenderChoices::addLooks(QFormLayout& form) {
 }
 
 void RenderChoices::askForEnvironment() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Image of all around"), environment_,
-                                                    tr("Images (*.exr *.hdr *.png)"));
+  const QPointer<RenderChoices> self(this);
+  const QString file = QFileDialog::getOpenFileName(window()->parentWidget(), tr("Image of all around"),
+                                                    environment_, tr("Images (*.exr *.hdr *.png)"));
+  if (!self) return;
   if (!file.isEmpty()) environment_ = file;
   if (environment_.isEmpty()) light_->setCurrentIndex(0);
   emit changed();
@@ -220,9 +223,14 @@ std::optional<PictureJob::Order> RenderChoices::order(Session& session, const Vi
     if (footage->frameCount() == 0) return std::nullopt;
     order.frames = framesOfFootage(footage);
     order.last = footage->frameCount() - 1;
+  } else if (const auto awaited = session.awaitedFrame()) {
+    // Chosen already, and still on its way to the screen.
+    order.frames = framesOfFootage(awaited->footage);
+    order.first = order.last = awaited->frame;
   } else {
     order.frames = framesOfMoment(shown);
   }
+  if (!order.frames.network) return std::nullopt;
   order.framesPerSecond = order.frames.framesPerSecond;
   order.frames.folder = session.document().folder();
   order.frames.scene.view.picture = styleFrom(order.frames.scene.view.picture);

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -66,7 +67,10 @@ RenderDialog::RenderDialog(Session& session, Viewport& viewport, QWidget* parent
     if (choices_->wantsViewportCamera()) again_.start();
   });
   connect(&session_, &Session::shownChanged, &again_, qOverload<>(&QTimer::start));
-  connect(&session_.document(), &Document::replaced, this, &QDialog::reject);
+  // What is being drawn to a file is drawn to its end: it has all it needs.
+  connect(&session_.document(), &Document::replaced, this, [this] {
+    if (!rendering_) reject();
+  });
   startPreview();
 }
 
@@ -117,8 +121,10 @@ void RenderDialog::askForFile() {
   const bool sequence = choices_->wantsAllFrames();
   const QString kinds = sequence ? tr("Film (*.mp4 *.webm *.gif *.webp *.apng);;Numbered pictures (*.png)")
                                  : tr("Picture (*.png)");
-  QString file = QFileDialog::getSaveFileName(this, tr("Render to"), QString(), kinds);
-  if (file.isEmpty()) return;
+  const QPointer<RenderDialog> self(this);
+  QString file = QFileDialog::getSaveFileName(parentWidget(), tr("Render to"), QString(), kinds);
+  // The dialog closes with the scene, which may be another by now.
+  if (!self || file.isEmpty()) return;
   if (QFileInfo(file).suffix().isEmpty()) file += sequence ? QStringLiteral(".mp4") : QStringLiteral(".png");
   render(file.toStdString());
 }

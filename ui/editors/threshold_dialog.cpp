@@ -8,6 +8,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/editors/calibration_chart.h"
 #include "ui/editors/problem_text.h"
@@ -132,11 +133,17 @@ QWidget* ThresholdDialog::makeButtons() {
 
 void ThresholdDialog::listMaterials() {
   const QString chosen = material_->currentText();
+  const int place = material_->currentIndex();
+  const int count = material_->count();
   const QSignalBlocker blocker(material_);
   material_->clear();
   for (const modeling::SceneMaterial& listed : session_.document().scene().materials)
     material_->addItem(QString::fromStdString(listed.name));
-  if (const int index = material_->findText(chosen); index >= 0) material_->setCurrentIndex(index);
+  // One that has another name now stands where it stood.
+  const bool renamed = material_->findText(chosen) < 0 && material_->count() == count;
+  material_->setCurrentIndex(renamed ? place : material_->findText(chosen));
+  if (renamed && tuned_ == chosen.toStdString()) tuned_ = material_->currentText().toStdString();
+  if (start_ != nullptr) showState();
 }
 
 const modeling::SceneMaterial* ThresholdDialog::material() const {
@@ -144,6 +151,11 @@ const modeling::SceneMaterial* ThresholdDialog::material() const {
   for (const modeling::SceneMaterial& listed : session_.document().scene().materials)
     if (listed.name == name) return &listed;
   return nullptr;
+}
+
+bool ThresholdDialog::isThere(const std::string& name) const {
+  const auto& listed = session_.document().scene().materials;
+  return std::ranges::find(listed, name, &modeling::SceneMaterial::name) != listed.end();
 }
 
 /// The cells of a part of the material, as the threshold is to suit it.
@@ -201,7 +213,8 @@ void ThresholdDialog::showState() {
   const bool runs = run_ && !progress_.ended;
   busy_->setVisible(runs);
   start_->setText(runs ? tr("Stop") : run_ ? tr("Drop Again") : tr("Drop Samples"));
-  if (!runs) start_->setEnabled(material_->count() > 0);
+  if (!runs) start_->setEnabled(material() != nullptr);
+  use_->setEnabled(isThere(tuned_));
   start_->setDefault(!runs && !progress_.threshold);
   for (QWidget* widget :
        {static_cast<QWidget*>(material_), static_cast<QWidget*>(speed_), static_cast<QWidget*>(cellSize_)})

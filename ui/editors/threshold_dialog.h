@@ -34,6 +34,7 @@ class ThresholdDialog : public QDialog {
   QWidget* makeSettings(std::size_t material);
   QWidget* makeButtons();
   void listMaterials();
+  bool isThere(const std::string& name) const;
   const modeling::SceneMaterial* material() const;
   void proposeCellSize();
   void poll();

@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QPointer>
 #include <QToolButton>
 
 #include "ui/document/stored_path.h"
@@ -31,9 +32,11 @@ void FileField::setValue(const QString& path) {
 }
 
 void FileField::choose() {
-  const QString chosen = QFileDialog::getOpenFileName(this, tr("Choose a File"), folder_,
+  // The form that this is in may be made anew while the question stands.
+  const QPointer<FileField> self(this);
+  const QString chosen = QFileDialog::getOpenFileName(window(), tr("Choose a File"), folder_,
                                                       tr("Files (%1);;All files (*)").arg(patterns_));
-  if (chosen.isEmpty()) return;
+  if (!self || chosen.isEmpty()) return;
   emit edited(QString::fromStdString(storedPath(chosen.toStdString(), folder_.toStdString())));
 }
 

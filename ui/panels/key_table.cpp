@@ -117,6 +117,7 @@ void KeyTable::addRow() {
   row.remove->setToolTip(tr("Remove this key"));
   grid_->addWidget(row.remove, line, kRemoveColumn);
   connect(row.remove, &QToolButton::clicked, this, [this, index] {
+    if (index >= track_.keys.size() || track_.keys.size() < 2) return;
     track_.keys.erase(track_.keys.begin() + static_cast<std::ptrdiff_t>(index));
     emit edited(track_.keys, true);
   });
@@ -124,12 +125,15 @@ void KeyTable::addRow() {
 }
 
 void KeyTable::takeTime(std::size_t row, double time, bool finished) {
+  // What was typed beside a key that is gone.
+  if (row >= track_.keys.size()) return;
   moveKey(track_, row, time);
   emit edited(track_.keys, finished);
-  rows_[row].time->setValue(track_.keys[row].time);
+  if (row < rows_.size() && row < track_.keys.size()) rows_[row].time->setValue(track_.keys[row].time);
 }
 
 void KeyTable::takeValue(std::size_t row, std::size_t component, double value, bool finished) {
+  if (row >= track_.keys.size()) return;
   sim::Vec3 changed = modeling::asVector(track_.keys[row].value);
   changed[static_cast<Eigen::Index>(component)] = value;
   track_.keys[row].value = asValue(track_.target, changed);

@@ -76,6 +76,10 @@ LivePanel::LivePanel(Session& session, Viewport& viewport, PlayActions& actions,
   connect(&session_, &Session::shownChanged, this, &LivePanel::showValues);
   connect(&session_, &Session::runChanged, this, &LivePanel::showState);
   connect(&session_.document(), &Document::sceneChanged, this, &LivePanel::showValues);
+  connect(&session_.document(), &Document::replaced, this, [this] {
+    changeTimer_.stop();
+    pendingChange_ = nullptr;
+  });
   connect(&viewport_, &Viewport::toolChanged, this, &LivePanel::showTool);
   showValues();
   showState();

@@ -67,6 +67,7 @@ Outliner::Outliner(Session& session, SceneActions& actions, QWidget* parent)
     showRow(*tree_->rowOf({}), {});
     showing_ = false;
   });
+  connect(&session_, &Session::previewChanged, this, &Outliner::showScene);
   connect(&session_.selection(), &Selection::changed, this, &Outliner::showSelection);
   connect(&Theme::instance(), &Theme::changed, this, &Outliner::showScene);
   showScene();
@@ -94,10 +95,16 @@ void Outliner::showRow(QTreeWidgetItem& row, const Item& item) {
   if (hasName(item.kind)) flags |= Qt::ItemIsEditable;
   if (item.kind != ItemKind::scene) flags |= Qt::ItemIsDragEnabled;
   row.setFlags(flags);
+  // A name that is being typed was meant for what stood here.
+  if (row.text(OutlinerTree::nameColumn) != name) tree_->stopTyping(row);
   row.setText(OutlinerTree::nameColumn, name);
   row.setIcon(OutlinerTree::nameColumn, iconOf(scene, item));
   const bool hidden = ui::isHidden(scene, item);
-  row.setForeground(OutlinerTree::nameColumn, hidden ? colours.dimText : colours.text);
+  const QString problem = problemOf(item);
+  row.setForeground(OutlinerTree::nameColumn, !problem.isEmpty() ? colours.bad
+                                              : hidden           ? colours.dimText
+                                                                 : colours.text);
+  row.setToolTip(OutlinerTree::nameColumn, problem);
   if (canHide(item.kind)) {
     row.setIcon(OutlinerTree::eyeColumn, quietIcon(hidden ? "eye-off" : "eye", !hidden));
     row.setToolTip(OutlinerTree::eyeColumn, hidden ? tr("Show (H)") : tr("Hide: simulated all the same (H)"));
@@ -108,6 +115,15 @@ void Outliner::showRow(QTreeWidgetItem& row, const Item& item) {
     row.setToolTip(OutlinerTree::lockColumn,
                    locked ? tr("Unlock") : tr("Lock: clicks in the viewport pass over it"));
   }
+}
+
+/// Of a gluing that could not be made as the scene is now; empty for all else.
+QString Outliner::problemOf(const Item& item) const {
+  if (item.kind != ItemKind::gluing || session_.preview()->scene.glue != session_.document().scene().glue)
+    return {};
+  for (const Preview::FailedGluing& failed : session_.preview()->failedGluings)
+    if (failed.gluing == item.index) return QString::fromStdString(failed.problem.line());
+  return {};
 }
 
 void Outliner::showSelection() {

@@ -30,6 +30,7 @@ class Outliner : public QWidget, public PendingEdit {
   void showScene();
   void showRow(QTreeWidgetItem& row, const Item& item);
   void showGroup(QTreeWidgetItem& group, ItemKind kind);
+  QString problemOf(const Item& item) const;
   void showSelection();
   void takeSelection();
   void takeName(QTreeWidgetItem* row, int column);

@@ -3,6 +3,7 @@
 #include <QDrag>
 #include <QDropEvent>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPainter>
 #include <QStyledItemDelegate>
@@ -120,6 +121,12 @@ QTreeWidgetItem* OutlinerTree::groupOf(ItemKind kind) const {
 QTreeWidgetItem* OutlinerTree::rowOf(const Item& item) const {
   if (item.kind == ItemKind::scene) return topLevelItem(0);
   return groupOf(item.kind)->child(static_cast<int>(item.index));
+}
+
+void OutlinerTree::stopTyping(const QTreeWidgetItem& row) {
+  if (state() != EditingState || currentItem() != &row) return;
+  if (auto* editor = viewport()->findChild<QLineEdit*>())
+    closeEditor(editor, QAbstractItemDelegate::RevertModelCache);
 }
 
 void OutlinerTree::setCount(ItemKind kind, std::size_t count) {

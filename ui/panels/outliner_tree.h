@@ -20,6 +20,8 @@ class OutlinerTree : public QTreeWidget {
   static std::optional<Item> itemOf(const QTreeWidgetItem* row);
   QTreeWidgetItem* rowOf(const Item& item) const;
   QTreeWidgetItem* groupOf(ItemKind kind) const;
+  /// Drops a name that is being typed in the row.
+  void stopTyping(const QTreeWidgetItem& row);
   /// As many rows as there are things.
   void setCount(ItemKind kind, std::size_t count);
 

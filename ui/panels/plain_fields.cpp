@@ -95,15 +95,19 @@ QSize ColourField::sizeHint() const {
 
 void ColourField::choose() {
   const QColor before = value_;
-  QColorDialog dialog(before.isValid() ? before : QColor(Qt::gray), this);
-  dialog.setWindowTitle(toolTip().isEmpty() ? tr("Colour") : toolTip());
-  connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
+  // It goes with the field, where what the colour is of goes.
+  auto* dialog = new QColorDialog(before.isValid() ? before : QColor(Qt::gray), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(toolTip().isEmpty() ? tr("Colour") : toolTip());
+  connect(dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
     setValue(colour);
     emit edited(colour, false);
   });
-  const bool taken = dialog.exec() == QDialog::Accepted;
-  setValue(taken ? dialog.currentColor() : before);
-  emit edited(value_, true);
+  connect(dialog, &QDialog::finished, this, [this, dialog, before](int result) {
+    setValue(result == QDialog::Accepted ? dialog->currentColor() : before);
+    emit edited(value_, true);
+  });
+  dialog->open();
 }
 
 void ColourField::paintEvent(QPaintEvent*) {

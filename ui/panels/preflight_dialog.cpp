@@ -69,6 +69,8 @@ PreflightDialog::PreflightDialog(Session& session, QWidget* parent) : QDialog(pa
   connect(&Theme::instance(), &Theme::changed, this, [this] {
     if (shown_) showResult();
   });
+  connect(&session_.document(), &Document::replaced, this, &QDialog::close);
+  connect(&session_.document(), &Document::sceneChanged, this, &PreflightDialog::noteChange);
 }
 
 QFormLayout* PreflightDialog::makeRows() {
@@ -106,8 +108,11 @@ void PreflightDialog::makeParts() {
   parts_->header()->setStretchLastSection(false);
   parts_->setMinimumHeight(140);
   connect(parts_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
-    session_.selection().select(
-        {ItemKind::part, static_cast<std::size_t>(parts_->indexOfTopLevelItem(item))});
+    // By its name: the scene may have been edited since.
+    const auto& parts = session_.document().scene().parts;
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      if (parts[part].name == item->text(0).toStdString())
+        session_.selection().select({ItemKind::part, part});
   });
 }
 
@@ -150,6 +155,14 @@ void PreflightDialog::tick() {
   busy_->hide();
   shown_ = true;
   showResult();
+}
+
+/// What it says is of the scene as it was.
+void PreflightDialog::noteChange() {
+  if (!isVisible() || !shown_ || !preview_ || movesAlike(preview_->scene, session_.document().scene()))
+    return;
+  verdict_->setStyleSheet(colouredBy(Theme::instance().colours().warning));
+  verdict_->setText(tr("The scene has been changed since: look again."));
 }
 
 void PreflightDialog::showResult() {

@@ -30,6 +30,7 @@ class PreflightDialog : public QDialog {
   void makeParts();
   QDialogButtonBox* makeButtons();
   void tick();
+  void noteChange();
   void showResult();
   void showFlight(const modeling::Preflight& flight);
   void showProblem(const sim::Problem& problem);

@@ -83,6 +83,11 @@ Properties::Properties(Session& session, QWidget* parent) : QWidget(parent), ses
   connect(name_, &TextField::edited, this, &Properties::takeName);
   connect(&session_.selection(), &Selection::changed, this, &Properties::showSelection);
   connect(&session_.document(), &Document::sceneChanged, this, &Properties::showSelection);
+  connect(&session_.document(), &Document::replaced, this, [this] {
+    if (form_) form_->forsake();
+    name_->setModified(false);
+    items_.clear();
+  });
   connect(&session_.document(), &Document::statusChanged, this, &Properties::showHead);
   connect(&session_.document(), &Document::rehearsed, this, &Properties::showScene);
   connect(&session_, &Session::previewChanged, this, &Properties::showScene);
@@ -103,14 +108,29 @@ std::vector<Item> Properties::shownItems() const {
   return items;
 }
 
+std::vector<QString> Properties::namesIn(const std::vector<Item>& items) const {
+  std::vector<QString> names;
+  for (const Item& item : items) names.push_back(nameOf(session_.document().scene(), item));
+  return names;
+}
+
 void Properties::showSelection() {
   std::vector<Item> items = shownItems();
   std::string structure = structureOf(session_.document().scene(), items);
-  if (form_ && items == items_ && structure == structure_) return showScene();
+  if (form_ && items == items_ && structure == structure_) {
+    names_ = namesIn(items_);
+    return showScene();
+  }
+  // A click elsewhere takes what is typed; a scene that became another under the hand does not.
+  if (form_ && namesIn(items_) != names_) {
+    form_->forsake();
+    name_->setModified(false);
+  }
   const bool sameKind = !items_.empty() && items_.back().kind == items.back().kind;
   const int scrolled = sameKind ? area_->verticalScrollBar()->value() : 0;
   items_ = std::move(items);
   structure_ = std::move(structure);
+  names_ = namesIn(items_);
   // One of its fields may be what asked for the change.
   if (QWidget* old = area_->takeWidget()) {
     old->hide();
@@ -127,6 +147,7 @@ void Properties::showSelection() {
 
 void Properties::showHead() {
   const modeling::Scene& scene = session_.document().scene();
+  if (items_.empty()) return;
   const Item& item = items_.back();
   if (item.index >= countOf(scene, item.kind)) return;
   icon_->setPixmap(iconOf(scene, item).pixmap(QSize(20, 20), devicePixelRatioF()));
@@ -155,6 +176,7 @@ void Properties::showProblem() {
 }
 
 void Properties::takeName(const QString& name) {
+  if (items_.empty()) return;
   const Item item = items_.back();
   session_.document().edit(
       tr("Rename"), [&](modeling::Scene& scene) { rename(scene, item, name.trimmed().toStdString()); });

@@ -29,6 +29,7 @@ class Properties : public QWidget {
   void showProblem();
   std::vector<Item> shownItems() const;
   void takeName(const QString& name);
+  std::vector<QString> namesIn(const std::vector<Item>& items) const;
 
   Session& session_;
   QLabel* icon_;
@@ -37,6 +38,7 @@ class Properties : public QWidget {
   QScrollArea* area_;
   PropertyForm* form_ = nullptr;
   std::vector<Item> items_;
+  std::vector<QString> names_;  ///< of the items, as shown last
   std::string structure_;
 };
 

@@ -315,6 +315,7 @@ ColourField* PropertyForm::addColour(
 
 void PropertyForm::apply(const QString& what, const std::function<void(Scene&, const Item&)>& change,
                          bool finished) {
+  if (forsaken_) return;
   const QString name = what.isEmpty() ? tr("Change") : tr("Change %1").arg(what.toLower());
   const std::vector<Item> items = items_;
   Document& document = session_.document();

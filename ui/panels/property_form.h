@@ -83,6 +83,9 @@ class PropertyForm : public QWidget {
   /// Across the whole width, without the label's text.
   void addWide(QWidget* content, const std::function<void(Scene&)>& show = {}, const RowLabel& label = {});
 
+  /// What is typed in it is for things that are not there any more, or not in their places: it changes
+  /// nothing from now on.
+  void forsake() { forsaken_ = true; }
   /// Brings all rows up to date.
   void showScene();
   /// Shows a problem of the preview at the row it belongs to; null takes it away. False: it is not of these
@@ -107,6 +110,7 @@ class PropertyForm : public QWidget {
 
   Session& session_;
   std::vector<Item> items_;
+  bool forsaken_ = false;
   std::vector<Row> rows_;
   QVBoxLayout* column_;
   QLabel* problem_;  ///< of the item as a whole

@@ -137,6 +137,14 @@ std::size_t TakesPanel::selected() const {
   return session_.takes().current().value_or(session_.takes().size());
 }
 
+/// It is of the take at which typing began, whichever is on the timeline by now.
+void TakesPanel::takeNote() {
+  const std::optional<std::size_t> take = session_.takes().find(noted_.lock());
+  if (note_->isModified() && take) session_.takes().setNote(*take, note_->text());
+  note_->setModified(false);
+  showTakes();
+}
+
 void TakesPanel::showTakes() {
   const bool some = !session_.takes().empty();
   stack_->setCurrentIndex(some ? 1 : 0);
@@ -144,7 +152,11 @@ void TakesPanel::showTakes() {
   const bool chosen = selected() < session_.takes().size();
   for (QAction* action : {play_, rename_, remove_, save_}) action->setEnabled(chosen);
   note_->setEnabled(chosen);
-  if (!note_->hasFocus()) note_->setText(chosen ? session_.takes()[selected()].note : QString());
+  if (!note_->hasFocus() || !note_->isModified()) {
+    const QString note = chosen ? session_.takes()[selected()].note : QString();
+    if (note_->text() != note) note_->setText(note);
+    noted_ = session_.takes().currentFootage();
+  }
   selectInList();
 }
 
@@ -162,6 +174,7 @@ void TakesPanel::play() {
 void TakesPanel::remove() {
   const std::size_t take = selected();
   if (take >= session_.takes().size()) return;
+  const std::shared_ptr<Footage> meant = session_.takes()[take].footage;
   QMessageBox box(
       QMessageBox::Question, tr("Delete Take"),
       tr("Delete \"%1\"? Its recording is deleted from the disk.").arg(session_.takes()[take].name),
@@ -169,15 +182,20 @@ void TakesPanel::remove() {
   QPushButton* yes = box.addButton(tr("Delete"), QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
-  if (box.clickedButton() == yes) session_.takes().remove(take);
+  // Runs go on while the question stands: the list may be another.
+  const std::optional<std::size_t> still = session_.takes().find(meant);
+  if (box.clickedButton() == yes && still) session_.takes().remove(*still);
 }
 
 void TakesPanel::saveAs() {
   const std::size_t take = selected();
+  if (take >= session_.takes().size()) return;
+  const std::shared_ptr<Footage> meant = session_.takes()[take].footage;
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save Take"), session_.takes()[take].name + ".take", tr("Takes (*.take)"));
-  if (file.isEmpty()) return;
-  if (const sim::Status saved = session_.takes().save(take, file.toStdString()); !saved)
+  const std::optional<std::size_t> still = session_.takes().find(meant);
+  if (file.isEmpty() || !still) return;
+  if (const sim::Status saved = session_.takes().save(*still, file.toStdString()); !saved)
     session_.report(saved.problem());
 }
 
@@ -192,6 +210,7 @@ void TakesPanel::showMenu(const QPoint& at) {
   const QModelIndex index = list_->indexAt(at);
   if (index.isValid()) session_.takes().select(static_cast<std::size_t>(index.row()));
   QMenu menu(this);
+  connect(&session_.takes(), &TakeList::currentChanged, &menu, &QWidget::close);
   if (index.isValid()) {
     menu.addAction(play_);
     menu.addAction(actions_.continueAsWas);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 
 class QAction;
 class QLineEdit;
@@ -9,6 +10,7 @@ class QStackedWidget;
 
 namespace ui {
 
+class Footage;
 class PlayActions;
 class Session;
 class TakesModel;
@@ -30,6 +32,7 @@ class TakesPanel : public QWidget {
   void takeNote();
   void selectInList();
   std::size_t selected() const;
+  void takeNote();
   void play();
   void remove();
   void saveAs();
@@ -42,6 +45,7 @@ class TakesPanel : public QWidget {
   QStackedWidget* stack_ = nullptr;
   QListView* list_ = nullptr;
   QLineEdit* note_ = nullptr;
+  std::weak_ptr<Footage> noted_;  ///< the take whose note is in the field
   QWidget* bar_ = nullptr;
   QAction* rename_ = nullptr;
   QAction* play_ = nullptr;

@@ -1,18 +1,54 @@
 #include "ui/session/builder.h"
 
+#include <charconv>
+#include <numeric>
+#include <string_view>
+
 #include "sim/surface/surface_mesh.h"
 
 namespace ui {
 namespace {
 
+using Built = sim::Result<modeling::BuiltScene>;
+
+void take(modeling::BuiltScene built, Preview& preview) {
+  // Obstacles can be drawn now.
+  std::vector<modeling::Gluing> glue = std::move(preview.scene.glue);
+  preview.scene = built.scene;
+  preview.scene.glue = std::move(glue);
+  preview.rest = std::make_shared<const sim::Snapshot>(sim::momentAtRest(built.network));
+  auto shared = std::make_shared<const modeling::BuiltScene>(std::move(built));
+  (preview.failedGluings.empty() ? preview.built : preview.unglued) = std::move(shared);
+}
+
+/// Which gluing of the scene a problem is about.
+std::optional<std::size_t> gluingOf(const sim::Problem& problem, const modeling::Scene& scene) {
+  constexpr std::string_view kGlue = "glue[";
+  if (!problem.place.starts_with(kGlue)) return std::nullopt;
+  std::size_t index = scene.glue.size();
+  std::from_chars(problem.place.data() + kGlue.size(), problem.place.data() + problem.place.size(), index);
+  return index < scene.glue.size() ? std::optional(index) : std::nullopt;
+}
+
+/// Gluings that fail are left out, one after the other, so that what they were to join can be seen.
 sim::Status buildInto(const std::filesystem::path& folder, const modeling::Attendance& attendance,
                       Preview& preview) {
-  sim::Result<modeling::BuiltScene> built = modeling::build(preview.scene, folder, attendance);
-  if (!built) return built.problem();
-  preview.rest = std::make_shared<const sim::Snapshot>(sim::momentAtRest(built->network));
-  preview.scene = built->scene;  // obstacles can be drawn now
-  preview.built = std::make_shared<const modeling::BuiltScene>(std::move(built).value());
-  return sim::Done{};
+  modeling::Scene scene = preview.scene;
+  std::vector<std::size_t> places(scene.glue.size());  // in preview.scene, of those that are left
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  Built built = modeling::build(scene, folder, attendance);
+  while (!built && !attendance.gaveUp()) {
+    const std::optional<std::size_t> failed = gluingOf(built.problem(), scene);
+    if (!failed) break;
+    const auto at = static_cast<std::ptrdiff_t>(*failed);
+    preview.failedGluings.push_back({places[*failed], built.problem()});
+    scene.glue.erase(scene.glue.begin() + at);
+    places.erase(places.begin() + at);
+    built = modeling::build(scene, folder, attendance);
+  }
+  if (!built && preview.failedGluings.empty()) return built.problem();
+  if (built) take(std::move(built).value(), preview);
+  return preview.failedGluings.empty() ? sim::Status(sim::Done{}) : preview.failedGluings.front().problem;
 }
 
 }  // namespace

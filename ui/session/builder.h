@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "modeling/scene/build.h"
 #include "sim/state/snapshot.h"
@@ -17,8 +18,15 @@ namespace ui {
 struct Preview {
   modeling::Scene scene;
   std::shared_ptr<const modeling::BuiltScene> built;  ///< null: see problem, or there are no parts
-  sim::SnapshotPointer rest;                          ///< before anything moves; null without `built`
-  std::optional<sim::Problem> problem;
+  /// Where a gluing fails: the scene without those that do, to be looked at; else null.
+  std::shared_ptr<const modeling::BuiltScene> unglued;
+  struct FailedGluing {
+    std::size_t gluing = 0;  ///< index in the scene
+    sim::Problem problem;
+  };
+  std::vector<FailedGluing> failedGluings;
+  sim::SnapshotPointer rest;            ///< of `built` or `unglued`, before anything moves; null without both
+  std::optional<sim::Problem> problem;  ///< of gluings, the first
   bool isAbandoned = false;  ///< it ended before it was ready, as a newer was asked for
 };
 

@@ -26,8 +26,8 @@ std::uint32_t countPieces(const sim::Broken& broken) {
 
 Footage::Footage(std::shared_ptr<const sim::Network> network, modeling::Scene scene,
                  std::filesystem::path file)
-    : network_(std::move(network)),
-      file_(std::move(file)),
+    : file_(std::move(file)),
+      network_(std::move(network)),
       scene_(std::make_shared<const modeling::Scene>(std::move(scene))),
       frameBytes_(bytesOf(*network_)) {}
 
@@ -52,6 +52,38 @@ sim::Result<std::shared_ptr<Footage>> Footage::open(const std::filesystem::path&
   for (std::size_t frame = 0; frame < reader->frameCount(); ++frame)
     footage->entries_[frame].note.time = reader->frameTime(frame);
   return footage;
+}
+
+std::shared_ptr<const sim::Network> Footage::network() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (network_) return network_;
+  }
+  const auto from = reader(0);
+  if (!from) return nullptr;
+  const std::lock_guard lock(mutex_);
+  // The reader's own, without a copy.
+  if (!network_) network_ = std::shared_ptr<const sim::Network>(*from, &(*from)->network());
+  return network_;
+}
+
+void Footage::letGo() {
+  std::error_code error;
+  if (!std::filesystem::exists(file_, error)) return;
+  {
+    const std::lock_guard lock(readerMutex_);
+    reader_.reset();
+  }
+  const std::lock_guard lock(mutex_);
+  network_.reset();
+  for (Entry& entry : entries_) {
+    if (!entry.held) continue;
+    entry.held.reset();
+    heldBytes -= frameBytes_;
+  }
+  nextHeld_ = 0;
+  events_ = {};
+  fromFile_ = true;
 }
 
 std::shared_ptr<const modeling::Scene> Footage::scene() const {
@@ -101,7 +133,7 @@ std::size_t Footage::frameAt(double time) const {
 
 std::optional<double> Footage::firstBreak() const {
   const std::lock_guard lock(mutex_);
-  if (!events_.empty()) return events_.front().time;
+  if (firstBreak_) return firstBreak_;
   for (const Entry& entry : entries_) {
     if (entry.note.breaks > 0) return entry.note.time;
   }
@@ -134,9 +166,9 @@ sim::Result<sim::SnapshotPointer> Footage::frame(std::size_t frame) {
 }
 
 sim::Result<std::vector<sim::BreakEvent>> Footage::events() {
-  if (!fromFile_) {
+  {
     const std::lock_guard lock(mutex_);
-    return events_;
+    if (!fromFile_) return events_;
   }
   const auto from = reader(0);
   if (!from) return from.problem();
@@ -156,6 +188,7 @@ void Footage::append(sim::SnapshotPointer frame, const FrameNote& note, std::vec
   ++notedCount_;
   entry.held = std::move(frame);
   heldBytes += frameBytes_;
+  if (!firstBreak_ && !events.empty()) firstBreak_ = events.front().time;
   events_.insert(events_.end(), events.begin(), events.end());
   makeRoom();
 }

@@ -28,11 +28,12 @@ struct FrameNote {
 /// the disk.
 ///
 /// New frames stay in memory while there is room and stand in the take's file as well; the oldest are dropped
-/// from memory first and read from the file when asked for again.
+/// from memory first and read from the file when asked for again. A take that nobody looks at keeps no more
+/// in memory than its notes (letGo()).
 class Footage {
  public:
   /// Frames in memory, all takes together, take at most about this much.
-  static constexpr std::size_t kMemoryBudget = std::size_t{1} << 30;
+  static constexpr std::size_t kMemoryBudget = std::size_t{1} << 28;
 
   /// The take of a run that begins. Its frames are being written to `file`, which may not exist yet.
   Footage(std::shared_ptr<const sim::Network> network, modeling::Scene scene, std::filesystem::path file);
@@ -44,7 +45,8 @@ class Footage {
   /// the file is no take.
   static sim::Result<std::shared_ptr<Footage>> open(const std::filesystem::path& file);
 
-  const std::shared_ptr<const sim::Network>& network() const { return network_; }
+  /// Read from the file where it was let go of, which may take long; null where it cannot be.
+  std::shared_ptr<const sim::Network> network();
   const std::filesystem::path& file() const { return file_; }
   /// The scene as it was run, with what was performed while it ran; never null.
   std::shared_ptr<const modeling::Scene> scene() const;
@@ -70,6 +72,9 @@ class Footage {
   sim::Result<std::vector<sim::BreakEvent>> events();
 
   void append(sim::SnapshotPointer frame, const FrameNote& note, std::vector<sim::BreakEvent> events);
+  /// Lets go of network, frames and events, which the file has as well. To be called when the recording has
+  /// ended. Does nothing where there is no file.
+  void letGo();
   /// Reads what notes lack from the file, a frame a call; false when there is no more to do.
   bool readNextNote();
 
@@ -82,12 +87,13 @@ class Footage {
   sim::Result<std::shared_ptr<const sim::TakeReader>> reader(std::size_t frame);
   void makeRoom();
 
-  std::shared_ptr<const sim::Network> network_;
   const std::filesystem::path file_;
   mutable std::mutex mutex_;                      ///< of all below; held for moments only
+  std::shared_ptr<const sim::Network> network_;   ///< null: let go of
   std::shared_ptr<const modeling::Scene> scene_;  ///< never null
   std::vector<Entry> entries_;
   std::vector<sim::BreakEvent> events_;  ///< of frames that were appended here
+  std::optional<double> firstBreak_;     ///< s: of those
   std::size_t nextHeld_ = 0;             ///< the oldest frame that may be held
   std::size_t frameBytes_ = 0;           ///< of one frame in memory, about
   std::size_t notesRead_ = 0;

@@ -67,7 +67,10 @@ sim::Result<StartedRun> startContinued(const RunPlan& plan, const std::function<
   run.scene = std::move(continued->scene);
   // How long it runs and how often it is recorded is what the plan says, as it moves nothing.
   run.scene.output = plan.scene.output;
-  run.footage = std::make_shared<Footage>(from.take->network(), run.scene, plan.take);
+  const std::shared_ptr<const sim::Network> network = from.take->network();
+  if (!network)
+    return sim::Problem{from.take->file().string(), "the take cannot be read any more", "simulate again"};
+  run.footage = std::make_shared<Footage>(network, run.scene, plan.take);
   if (const sim::Status copied = copyFrames(reader, from, *run.footage); !copied) return copied.problem();
   return run;
 }

@@ -16,6 +16,7 @@ Session::Session(std::filesystem::path takesFolder, QObject* parent)
   connect(&document_, &Document::sceneChanged, this, &Session::rebuild);
   connect(&document_, &Document::replaced, this, &Session::replace);
   connect(&playback_, &Playback::frameChanged, this, &Session::showFrame);
+  connect(&playback_, &Playback::stateChanged, this, [this] { frameChosen_ |= playback_.direction() != 0; });
   connect(&takes_, &TakeList::currentChanged, this, &Session::showCurrentTake);
   connect(&takes_, &TakeList::fileRead, this,
           [this](const std::shared_ptr<Footage>& footage) { loader_.gatherNotes(footage); });
@@ -36,6 +37,7 @@ Session::~Session() {
 }
 
 void Session::rebuild() {
+  frameChosen_ = false;
   builder_.request(document_.scene(), document_.folder());
   takes_.judge();
 }
@@ -51,7 +53,9 @@ void Session::tick() {
   followWaiting();
   followPreview();
   if (run_.poll()) followView();
+  ticking_ = true;
   playback_.tick(!frameAsked_);
+  ticking_ = false;
   showLoaded();
 }
 
@@ -61,8 +65,10 @@ void Session::followPreview() {
   const bool moves = !movesAlike(preview->scene, preview_->scene);
   preview_ = std::move(preview);
   emit previewChanged();
-  // Who edits what the lattice is made of wants to see it, not a frame of a take that is out of date.
-  if (!shown_.recorded || (moves && !hasRun())) showEdited();
+  // Who edits what the lattice is made of wants to see it, not a frame of a take that is out of date; who
+  // chose a frame since then wants that, however long building took.
+  const bool chosen = frameChosen_ && (shown_.recorded || frameAsked_);
+  if (!chosen && (!shown_.recorded || (moves && !hasRun()))) showEdited();
 }
 
 void Session::followWaiting() {
@@ -88,6 +94,7 @@ void Session::followView() {
     if (view.phase == RunPhase::done || view.phase == RunPhase::failed) {
       if (following_) playback_.toLast();
       following_ = false;
+      letGoOfOthers();
     }
   }
   emit runChanged();
@@ -114,11 +121,13 @@ void Session::show(Shown shown) {
 
 void Session::showEdited() {
   following_ = false;
+  frameChosen_ = false;
+  frameAsked_.reset();
   playback_.stop();
   Shown shown;
   shown.scene = std::shared_ptr<const modeling::Scene>(preview_, &preview_->scene);
-  if (preview_->built) {
-    shown.network = std::shared_ptr<const sim::Network>(preview_->built, &preview_->built->network);
+  if (const auto& drawn = preview_->built ? preview_->built : preview_->unglued) {
+    shown.network = std::shared_ptr<const sim::Network>(drawn, &drawn->network);
     shown.moment = preview_->rest;
   }
   show(std::move(shown));
@@ -134,7 +143,9 @@ void Session::followRun() {
 void Session::showCurrentTake() {
   const std::shared_ptr<Footage> footage = takes_.currentFootage();
   if (!listing_) following_ = false;
+  frameAsked_.reset();
   playback_.setFootage(footage);
+  letGoOfOthers();
   if (listing_) return;
   if (footage) {
     showFrame();
@@ -143,10 +154,19 @@ void Session::showCurrentTake() {
   }
 }
 
+/// Takes that are neither on the timeline nor being recorded stay on the disk only.
+void Session::letGoOfOthers() {
+  for (const Take& take : takes_) {
+    const bool recorded = hasRun() && run()->footage == take.footage;
+    if (take.footage != playback_.footage() && !recorded) take.footage->letGo();
+  }
+}
+
 void Session::showFrame() {
   const std::shared_ptr<Footage>& footage = playback_.footage();
   if (!footage || footage->frameCount() == 0 || listing_) return;
   following_ = false;
+  frameChosen_ |= !ticking_;
   const std::size_t frame = playback_.frame();
   if (sim::SnapshotPointer moment = footage->held(frame)) {
     frameAsked_.reset();
@@ -157,9 +177,15 @@ void Session::showFrame() {
   loader_.request(footage, frame);
 }
 
+std::optional<Session::AwaitedFrame> Session::awaitedFrame() const {
+  if (!frameAsked_ || !playback_.footage()) return std::nullopt;
+  return AwaitedFrame{playback_.footage(), *frameAsked_};
+}
+
 void Session::showLoaded() {
   std::optional<FrameLoader::Loaded> loaded = loader_.take();
-  if (!loaded || loaded->footage != playback_.footage()) return;
+  // What was asked for before something else was shown comes too late.
+  if (!loaded || loaded->footage != playback_.footage() || !frameAsked_) return;
   if (frameAsked_ == loaded->frame) frameAsked_.reset();
   if (loaded->problem) {
     emit problemFound(*loaded->problem);

@@ -36,7 +36,7 @@ class Session : public QObject {
 
   /// The scene as built last; never null. Older than the scene while isBuilding().
   const std::shared_ptr<const Preview>& preview() const { return preview_; }
-  bool isBuilding() const { return builder_.isBusy(); }
+  bool isBuilding() const { return builder_.isBusy() || builder_.newest() != preview_; }
   /// What building takes long for, such as "reading cup.fbx, 3 s"; empty: nothing.
   const std::string& waitingFor() const { return waitingFor_; }
   /// Reads no file any longer: what is being built ends with a Problem.
@@ -63,6 +63,12 @@ class Session : public QObject {
   void stopRun() { run_.worker().stop(); }
   /// Back to the scene as edited.
   void showEdited();
+  /// The frame that is to be shown next; nothing where what is shown is what was asked for last.
+  struct AwaitedFrame {
+    std::shared_ptr<Footage> footage;
+    std::size_t frame = 0;
+  };
+  std::optional<AwaitedFrame> awaitedFrame() const;
   /// The window follows the run; else it stays on the frame of the cursor.
   bool followsRun() const { return following_; }
   void followRun();
@@ -96,6 +102,7 @@ class Session : public QObject {
   void followView();
   void recordPerformed();
   void showCurrentTake();
+  void letGoOfOthers();
   void showFrame();
   void showLoaded();
   void show(Shown shown);
@@ -111,6 +118,8 @@ class Session : public QObject {
   bool following_ = false;
   bool recording_ = true;
   bool listing_ = false;                   ///< the take of a run is being put into the list
+  bool ticking_ = false;                   ///< what the cursor does now it does by itself
+  bool frameChosen_ = false;               ///< by the person, after the last edit
   std::optional<std::size_t> frameAsked_;  ///< of the loader
   QTimer timer_;
   // Last: their threads end first.

@@ -19,6 +19,12 @@ bool movesAlike(modeling::Scene left, modeling::Scene right) {
 TakeList::TakeList(const Document& document, std::filesystem::path folder, QObject* parent)
     : QObject(parent), document_(document), folder_(std::move(folder)) {}
 
+std::optional<std::size_t> TakeList::find(const std::shared_ptr<Footage>& footage) const {
+  for (std::size_t take = 0; take < takes_.size(); ++take)
+    if (takes_[take].footage == footage) return take;
+  return std::nullopt;
+}
+
 bool TakeList::hasOwn() const {
   return std::any_of(takes_.begin(), takes_.end(), [](const Take& take) { return take.own; });
 }
@@ -47,17 +53,20 @@ void TakeList::select(std::size_t take) {
 }
 
 void TakeList::rename(std::size_t take, const QString& name) {
-  takes_.at(take).name = name;
+  if (take >= takes_.size()) return;
+  takes_[take].name = name;
   emit changed();
 }
 
 void TakeList::setNote(std::size_t take, const QString& note) {
-  takes_.at(take).note = note;
+  if (take >= takes_.size()) return;
+  takes_[take].note = note;
   emit changed();
 }
 
 void TakeList::setThumbnail(std::size_t take, const QImage& picture) {
-  takes_.at(take).thumbnail = picture;
+  if (take >= takes_.size()) return;
+  takes_[take].thumbnail = picture;
   emit changed();
 }
 

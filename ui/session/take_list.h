@@ -59,6 +59,8 @@ class TakeList : public QObject {
   std::optional<std::size_t> current() const { return current_; }
   /// The footage of the take on the timeline; null where there is none.
   std::shared_ptr<Footage> currentFootage() const { return current_ ? takes_[*current_].footage : nullptr; }
+  /// Where that footage is listed; nothing where it is not any more.
+  std::optional<std::size_t> find(const std::shared_ptr<Footage>& footage) const;
   /// Some take was recorded by the program itself.
   bool hasOwn() const;
 

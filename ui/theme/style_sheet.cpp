@@ -49,6 +49,8 @@ QAbstractItemView { background: @panel; border: 1px solid transparent; outline: 
 QAbstractItemView:focus { border-color: @accent; }
 QAbstractItemView::item { padding: 3px 4px; }
 QAbstractItemView::item:selected { background: @accent; color: @accentText; }
+QComboBox QAbstractItemView { selection-background-color: @accent; selection-color: @accentText; }
+QComboBox QAbstractItemView::item:hover { background: @accent; color: @accentText; }
 QHeaderView::section { background: @window; border: 0; border-bottom: 1px solid @line; padding: 4px 6px; }
 QTabWidget::pane { border: 0; }
 QTabBar { background: @window; }

@@ -192,6 +192,13 @@ void PlayActions::showSimulate() {
 bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(watched, event);
   const auto* key = static_cast<QKeyEvent*>(event);
+  // Letters mean nothing in a field of numbers, and are shortcuts there as everywhere.
+  const bool letter = key->key() >= Qt::Key_A && key->key() <= Qt::Key_Z;
+  const bool plain = (key->modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
+  if (letter && plain && qobject_cast<QAbstractSpinBox*>(watched) != nullptr) {
+    event->ignore();
+    return true;
+  }
   const bool moves = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right;
   const bool wanted = qobject_cast<QAbstractItemView*>(watched) != nullptr ||
                       qobject_cast<QAbstractSlider*>(watched) != nullptr ||

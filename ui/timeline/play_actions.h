@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <optional>
 
 #include "ui/session/run.h"
@@ -18,6 +19,9 @@ class PlayActions : public QObject {
 
  public:
   explicit PlayActions(Session& session, QObject* parent = nullptr);
+
+  /// What `simulate` is called, whatever there is to do.
+  static QStringList simulateWords() { return {tr("Simulate"), tr("Pause"), tr("Continue")}; }
 
   QAction* simulate = nullptr;  ///< simulate, pause or continue: what there is to do now
   QAction* toggle = nullptr;    ///< the space bar
@@ -55,7 +59,7 @@ class PlayActions : public QObject {
 };
 
 /// Lets lists, sliders and fields that have the keyboard keep the arrow keys and the space bar, which else
-/// belong to the timeline.
+/// belong to the timeline; letters in fields of numbers stay shortcuts.
 class KeysOfFocus : public QObject {
   Q_OBJECT
 

@@ -41,6 +41,7 @@ TimeBar::TimeBar(Session& session, TimeAxis& axis, NoteFeed& feed, PlayActions& 
   connect(&session_.document(), &Document::sceneChanged, this, &TimeBar::followState);
   connect(&session_.playback(), &Playback::frameChanged, this, &TimeBar::moveCursor);
   connect(&session_.playback(), &Playback::stateChanged, this, &TimeBar::followState);
+  connect(&session_.playback(), &Playback::stateChanged, this, &TimeBar::letGoOfOther);
 }
 
 QSize TimeBar::sizeHint() const {
@@ -83,9 +84,13 @@ TimeBarPicture TimeBar::picture() const {
           notes,
           breaks_,
           feed_.mostBreaks(),
-          take != nullptr ? take->name : tr("No take yet"),
+          take != nullptr            ? take->name
+          : session_.takes().empty() ? tr("No take yet")
+                                     : tr("No take chosen"),
           take != nullptr ? tr("%1 frames, %2 s").arg(notes.size()).arg(take->footage->duration(), 0, 'f', 3)
-                          : tr("Space simulates"),
+          : session_.takes().empty()
+              ? tr("Space simulates")
+              : tr("%n in the list", nullptr, static_cast<int>(session_.takes().size())),
           take != nullptr && take->stale,
           session_.document().scene().parts.empty(),
           session_.playback().loopRange(),
@@ -158,6 +163,12 @@ void TimeBar::scrubTo(double x) {
   playback.seek(frame);
 }
 
+/// A take that comes in place of the one that was dragged along is not what the person holds.
+void TimeBar::letGoOfOther() {
+  if (drag_ == Drag::none || drag_ == Drag::pan) return;
+  if (session_.playback().footage() != dragged_.lock()) drag_ = Drag::none;
+}
+
 TimeBar::Drag TimeBar::dragAt(const QPointF& at) const {
   if (at.x() < kTimelineHeader) return Drag::none;
   if (at.y() >= kLoopHeight) return Drag::scrub;
@@ -173,12 +184,15 @@ void TimeBar::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::MiddleButton) drag_ = Drag::pan;
   if (event->button() != Qt::LeftButton) return;
   drag_ = dragAt(event->position());
+  dragged_ = session_.playback().footage();
   dragTime_ = std::clamp(axis_.timeAt(dragX_ - kTimelineHeader), 0.0, axis_.end());
   if (drag_ == Drag::scrub) scrubTo(dragX_);
 }
 
 void TimeBar::mouseMoveEvent(QMouseEvent* event) {
   const double x = event->position().x();
+  // A release that another window got is seen by the buttons.
+  if (event->buttons() == Qt::NoButton) drag_ = Drag::none;
   if (drag_ == Drag::none) {
     const Drag over = dragAt(event->position());
     const bool handle = over == Drag::loopFrom || over == Drag::loopTo;

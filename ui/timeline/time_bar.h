@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <vector>
 
 #include "ui/session/playback.h"
@@ -56,6 +57,7 @@ class TimeBar : public QWidget {
   void moveCursor();
   void followState();
   void scrubTo(double x);
+  void letGoOfOther();
   Drag dragAt(const QPointF& at) const;
   void dragLoop(double time);
   QString tipAt(const QPointF& at) const;
@@ -67,7 +69,8 @@ class TimeBar : public QWidget {
   PlayActions& actions_;
   std::vector<std::uint32_t> breaks_;  ///< a pixel of the axis
   Drag drag_ = Drag::none;
-  double dragTime_ = 0.0;  ///< s: where a new range began
+  std::weak_ptr<Footage> dragged_;  ///< the take that the mouse holds
+  double dragTime_ = 0.0;           ///< s: where a new range began
   double dragX_ = 0.0;
   double shownCursor_ = 0.0;  ///< px
   double shownEnd_ = 0.0;     ///< px: how far the film is painted

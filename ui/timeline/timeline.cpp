@@ -30,10 +30,11 @@ Timeline::Timeline(Session& session, PlayActions& actions, QWidget* parent)
   column->setSpacing(0);
   transport_ = new Transport(session_, actions, this);
   bar_ = new TimeBar(session_, axis_, feed_, actions, this);
-  column->addWidget(transport_);
-  column->addWidget(bar_);
   makeTracks();
+  column->addWidget(bar_);
   column->addWidget(scroll_, 1);
+  // At the window's edge: tracks that come and go do not move it under the pointer.
+  column->addWidget(transport_);
   connect(&session_.document(), &Document::sceneChanged, this, &Timeline::fitAxis);
   connect(&session_.document(), &Document::sceneChanged, this, &Timeline::fitTracks);
   connect(rows_, &TrackRows::heightChanged, this, &Timeline::fitTracks);

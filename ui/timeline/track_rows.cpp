@@ -150,6 +150,11 @@ void TrackRows::mousePressEvent(QMouseEvent* event) {
 }
 
 void TrackRows::mouseMoveEvent(QMouseEvent* event) {
+  // A release that another window got is seen by the buttons.
+  if (grabbed_ && event->buttons() == Qt::NoButton) {
+    grabbed_.reset();
+    session_.document().endGesture();
+  }
   if (!grabbed_) {
     setCursor(trackLayout().handleAt(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     return;

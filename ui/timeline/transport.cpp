@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kSpeeds[] = {2.0, 1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01};
 constexpr int kFieldHeight = 26;
+constexpr int kAroundWord = 46;  ///< icon, gap and margins of a button
 
 void separate(QHBoxLayout& row) {
   auto* line = new QFrame;
@@ -47,8 +48,9 @@ QString speedLabel(double speed) {
 QString timeLeft(double seconds) {
   if (!(seconds > 0.0) || !std::isfinite(seconds)) return {};
   if (seconds < 90.0) return Transport::tr("%1 s left").arg(std::ceil(seconds), 0, 'f', 0);
+  constexpr double kLongest = 999.0 * 3600.0;
   if (seconds < 5400.0) return Transport::tr("%1 min left").arg(std::round(seconds / 60.0), 0, 'f', 0);
-  return Transport::tr("%1 h left").arg(seconds / 3600.0, 0, 'f', 1);
+  return Transport::tr("%1 h left").arg(std::min(seconds, kLongest) / 3600.0, 0, 'f', 1);
 }
 
 Transport::Transport(Session& session, PlayActions& actions, QWidget* parent)
@@ -89,7 +91,12 @@ void Transport::makeButtons(QHBoxLayout& row) {
   QToolButton* simulate = button(row, actions_.simulate);
   simulate->setObjectName(QStringLiteral("simulate"));
   simulate->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  simulate->setMinimumWidth(104);
+  // What it says changes with the run; where the others stand does not.
+  const QFontMetrics metrics(simulate->font());
+  int widest = 0;
+  for (const QString& word : PlayActions::simulateWords())
+    widest = std::max(widest, metrics.horizontalAdvance(word));
+  simulate->setFixedWidth(widest + kAroundWord);
   simulate->setFixedHeight(kFieldHeight + 2);
   simulate->setStyleSheet(QStringLiteral(
       "QToolButton { background: palette(button); border: 1px solid palette(mid); padding: 2px 8px; }"
@@ -121,6 +128,7 @@ void Transport::makeFields(QHBoxLayout& row) {
   frame_->setToolTip(tr("Frame shown, counted from 0"));
   frameCount_ = new QLabel(this);
   frameCount_->setFont(Theme::numberFont(-0.5));
+  frameCount_->setFixedWidth(QFontMetrics(frameCount_->font()).horizontalAdvance(QStringLiteral("/ 999999")));
   for (QAbstractSpinBox* field :
        {static_cast<QAbstractSpinBox*>(time_), static_cast<QAbstractSpinBox*>(frame_)}) {
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -169,10 +177,22 @@ void Transport::makeProgress(QHBoxLayout& row) {
   left_ = new QLabel(this);
   left_->setFont(Theme::numberFont(-0.5));
   left_->setContentsMargins(6, 0, 6, 0);
+  int widest = 0;
+  for (const QString& said :
+       {tr("preparing"), tr("paused"), timeLeft(89.0), timeLeft(5399.0), timeLeft(3.6e6)})
+    widest = std::max(widest, QFontMetrics(left_->font()).horizontalAdvance(said));
+  left_->setFixedWidth(widest + 14);
   progress_ = new QProgressBar(this);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedSize(120, 6);
+  // Their room is theirs, whether they are seen or not.
+  for (QWidget* widget :
+       {static_cast<QWidget*>(follow_), static_cast<QWidget*>(left_), static_cast<QWidget*>(progress_)}) {
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+  }
   row.addWidget(progress_);
   row.addWidget(left_);
   end_ = new QHBoxLayout;

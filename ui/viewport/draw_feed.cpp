@@ -49,6 +49,7 @@ void DrawFeed::takePrepared() {
   if (newest == drawn_) return;
   drawn_ = std::move(newest);
   emit changed();
+  if (const std::optional<sim::Problem> problem = preparer_.problem()) emit failed(*problem);
 }
 
 bool DrawFeed::isUpToDate() const {

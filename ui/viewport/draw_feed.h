@@ -29,6 +29,8 @@ class DrawFeed : public QObject {
  signals:
   /// There is newer draw data.
   void changed();
+  /// What is shown cannot be drawn.
+  void failed(const sim::Problem& problem);
 
  private:
   ViewSettings effectiveSettings() const;

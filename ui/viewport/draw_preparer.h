@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "ui/session/background_worker.h"
 #include "ui/viewport/draw_data.h"
@@ -15,6 +16,8 @@ class DrawPreparer {
   void request(const Shown& shown, const ViewSettings& settings) { worker_.request({shown, settings}); }
   /// The newest that is ready; never null. Nothing is drawn where it could not be made.
   std::shared_ptr<const DrawData> newest() const;
+  /// Why the newest could not be made.
+  std::optional<sim::Problem> problem() const { return worker_.newest()->problem; }
   /// Something is being prepared or waits to be.
   bool isBusy() const { return worker_.isBusy(); }
 

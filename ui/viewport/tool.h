@@ -37,6 +37,8 @@ class Tool {
   virtual void hover(Viewport& /*viewport*/, const PointerEvent& /*event*/) {}
   /// Esc: ends what is under way as if it had not begun. True: there was something.
   virtual bool cancel(Viewport& /*viewport*/) { return false; }
+  /// The keyboard goes to something else: what was begun by a key is done.
+  virtual void leave(Viewport& /*viewport*/) {}
   /// True: taken.
   virtual bool key(Viewport& /*viewport*/, int /*key*/, Qt::KeyboardModifiers /*modifiers*/) { return false; }
   /// It takes the key as text, though it is a shortcut elsewhere.

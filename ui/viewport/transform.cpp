@@ -58,6 +58,7 @@ TransformStart::TransformStart(const modeling::Scene& scene, const std::vector<I
   for (const Item& item : items) {
     if (item.kind == ItemKind::part && item.index < scene.parts.size()) {
       parts_.emplace_back(item.index, scene.parts[item.index].worldFromPart);
+      partNames_.push_back(scene.parts[item.index].name);
       orientation_ = parts_.back().second.rotation.quaternion();
     } else if (item.kind == ItemKind::collider && item.index < scene.environment.colliders.size()) {
       colliders_.emplace_back(item.index, scene.environment.colliders[item.index]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -26,6 +27,7 @@ class TransformStart {
   /// What can be moved of a selection.
   TransformStart(const modeling::Scene& scene, const std::vector<Item>& items);
 
+  bool operator==(const TransformStart&) const = default;
   bool isEmpty() const { return parts_.empty() && colliders_.empty(); }
   /// Mean of where they are, cm.
   sim::Vec3 middle() const;
@@ -36,6 +38,7 @@ class TransformStart {
 
  private:
   std::vector<std::pair<std::size_t, modeling::Placement>> parts_;
+  std::vector<std::string> partNames_;  ///< likewise
   std::vector<std::pair<std::size_t, modeling::SceneCollider>> colliders_;
   Eigen::Quaterniond orientation_ = Eigen::Quaterniond::Identity();
 };

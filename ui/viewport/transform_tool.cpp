@@ -56,18 +56,35 @@ bool TransformTool::begin(Viewport& viewport, const TransformHold& hold, const Q
   if (!handles) return false;
   Session& session = viewport.session();
   session.document().endGesture();
-  drag_ = Drag{TransformStart(session.document().scene(), session.selection().items()),
-               *handles,
-               hold,
-               at,
-               at,
-               grabbed,
-               snaps_,
-               {},
-               0.0,
-               {}};
+  const TransformStart start(session.document().scene(), session.selection().items());
+  drag_ =
+      Drag{start, session.selection().items(), start, *handles, hold, at, at, grabbed, snaps_, {}, 0.0, {}};
+  unfollow();
+  following_ = {
+      connect(&session.document(), &Document::sceneChanged, this, [this, &session] { followScene(session); }),
+      connect(&session.document(), &Document::replaced, this, [this] {
+        drag_.reset();
+        lit_.reset();
+      })};
   update(viewport);
   return true;
+}
+
+/// What is held is let go where it is gone, or was put elsewhere by an undo or another scene.
+void TransformTool::followScene(Session& session) {
+  if (!drag_ || applying_) return;
+  if (TransformStart(session.document().scene(), drag_->items) == drag_->present) return;
+  session.document().endGesture();
+  drag_.reset();
+  lit_.reset();
+}
+
+void TransformTool::unfollow() {
+  for (const QMetaObject::Connection& connection : following_) disconnect(connection);
+}
+
+void TransformTool::leave(Viewport& viewport) {
+  if (drag_ && drag_->grabbed) end(viewport);
 }
 
 bool TransformTool::grab(Viewport& viewport, const QPointF& pointer) {
@@ -138,6 +155,7 @@ bool TransformTool::cancel(Viewport& viewport) {
 
 void TransformTool::end(Viewport& viewport) {
   viewport.session().document().endGesture();
+  unfollow();
   drag_.reset();
   lit_.reset();
 }
@@ -263,14 +281,18 @@ QString TransformTool::nameOfEdit() const {
 }
 
 void TransformTool::apply(Viewport& viewport, const Transform& transform) {
-  const TransformStart& start = drag_->start;
-  viewport.session().document().edit(
+  const TransformStart start = drag_->start;
+  Document& document = viewport.session().document();
+  applying_ = true;
+  document.edit(
       nameOfEdit(), [&](modeling::Scene& scene) { start.apply(transform, scene); }, kGesture);
+  applying_ = false;
+  if (drag_) drag_->present = TransformStart(document.scene(), drag_->items);
 }
 
 void TransformTool::update(Viewport& viewport) {
   drag_->result = transformOf(viewport);
-  apply(viewport, drag_->result);
+  apply(viewport, Transform(drag_->result));
   viewport.update();
 }
 

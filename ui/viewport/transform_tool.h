@@ -1,12 +1,15 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 #include <optional>
 
 #include "ui/viewport/tool.h"
 #include "ui/viewport/transform_gizmo.h"
 
 namespace ui {
+
+class Session;
 
 /// Moves, turns or scales the selected parts and colliders: by handles, or, once grab() was called, with the
 /// pointer alone. X, Y, Z hold to an axis, with shift to the plane across it; a number typed meanwhile counts
@@ -31,6 +34,7 @@ class TransformTool : public QObject, public Tool {
   void release(Viewport& viewport, const PointerEvent& event) override;
   void hover(Viewport& viewport, const PointerEvent& event) override;
   bool cancel(Viewport& viewport) override;
+  void leave(Viewport& viewport) override;
   bool key(Viewport& viewport, int key, Qt::KeyboardModifiers modifiers) override;
   bool wantsKey(int key, Qt::KeyboardModifiers modifiers) const override;
   void draw(const Viewport& viewport, Overlay& overlay) override;
@@ -38,6 +42,8 @@ class TransformTool : public QObject, public Tool {
  private:
   struct Drag {
     TransformStart start;
+    std::vector<Item> items;
+    TransformStart present;  ///< the same things as they were put last
     TransformGizmo gizmo;
     TransformHold hold;
     QPointF from;
@@ -54,6 +60,8 @@ class TransformTool : public QObject, public Tool {
   void follow(Viewport& viewport, const PointerEvent& event);
   void update(Viewport& viewport);
   void end(Viewport& viewport);
+  void followScene(Session& session);
+  void unfollow();
   void apply(Viewport& viewport, const Transform& transform);
   Transform transformOf(const Viewport& viewport) const;
   sim::Vec3 pointerOffset(const Viewport& viewport) const;
@@ -67,6 +75,8 @@ class TransformTool : public QObject, public Tool {
   bool snaps_ = false;
   std::optional<Drag> drag_;
   std::optional<TransformHold> lit_;
+  bool applying_ = false;
+  std::array<QMetaObject::Connection, 2> following_;  ///< of the document, while something is dragged
 };
 
 }  // namespace ui

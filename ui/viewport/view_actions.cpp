@@ -46,8 +46,11 @@ void ViewActions::makeTool(TransformMode mode, const QString& text, const QStrin
       viewport_.setTool(std::move(tool));
     }
     // By its key, with the pointer over what is selected, it is in the hand at once.
-    if (const QPoint pointer = viewport_.mapFromGlobal(QCursor::pos()); viewport_.underMouse())
+    if (const QPoint pointer = viewport_.mapFromGlobal(QCursor::pos()); viewport_.underMouse()) {
+      // Numbers and axes are typed next: they are meant for it, whichever panel had the keyboard.
+      viewport_.setFocus(Qt::ShortcutFocusReason);
       present->grab(viewport_, pointer);
+    }
     showTool();
   });
   tools_.push_back(action);

@@ -41,6 +41,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     frameFirst();
     update();
   });
+  connect(&feed_, &DrawFeed::failed, &session_, &Session::report);
   connect(&input_, &ViewportInput::cameraMoved, this, &Viewport::moved);
   connect(&input_, &ViewportInput::hovered, this, &Viewport::hovered);
   connect(&input_, &ViewportInput::clicked, this, &Viewport::clicked);
@@ -74,9 +75,15 @@ void Viewport::setViewSettings(const ViewSettings& settings) {
 void Viewport::frameFirst() {
   const DrawData& content = *drawn();
   if (!frameWhenShown_ || session_.isBuilding() || !content.shown.scene) return;
-  if (content.shown.network != session_.shown().network) return;
+  // What is drawn may still be of the scene before.
+  const bool present = content.shown.recorded
+                           ? session_.playback().footage() && session_.shown().recorded &&
+                                 !session_.awaitedFrame() && content.shown.network == session_.shown().network
+                           : content.shown.scene.get() == &session_.preview()->scene;
+  if (!present) return;
   if (content.box.isEmpty() && content.colliders.empty()) return;
-  frameWhenShown_ = false;
+  // A scene that begins with nothing but a floor is framed once more when something stands on it.
+  frameWhenShown_ = content.box.isEmpty();
   if (const auto& camera = content.shown.scene->view.camera) {
     camera_.set(*camera);
     // Made for a picture of other proportions, it may cut off what is to be seen first.
@@ -289,6 +296,14 @@ void Viewport::leaveEvent(QEvent* event) {
 void Viewport::wheelEvent(QWheelEvent* event) {
   input_.wheel(*event);
   event->accept();
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event) {
+  QOpenGLWidget::focusOutEvent(event);
+  const bool back = event->reason() == Qt::PopupFocusReason ||
+                    event->reason() == Qt::ActiveWindowFocusReason ||
+                    event->reason() == Qt::MenuBarFocusReason;
+  if (!back && tool_) tool_->leave(*this);
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {

@@ -57,6 +57,8 @@ class Viewport : public QOpenGLWidget {
   /// Around what is selected, cm; empty where nothing is, or it is not shown.
   Eigen::AlignedBox3d selectionBox() const;
 
+  /// Esc, wherever the keyboard is: ends what is under way, else the tool. False: there is neither.
+  bool leaveTool() { return tool_ && input_.escape(); }
   /// Null: select.
   void setTool(std::unique_ptr<Tool> tool);
   Tool* tool() const { return tool_.get(); }
@@ -90,6 +92,7 @@ class Viewport : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   void frameFirst();

@@ -84,6 +84,7 @@ void ViewportInput::press(const QMouseEvent& event) {
 void ViewportInput::move(const QMouseEvent& event) {
   const QPointF at = event.position();
   pointer_ = at;
+  if (hold_ != Hold::nothing && event.buttons() == Qt::NoButton) letGo(event);
   Tool* tool = viewport_.tool();
   if (hold_ == Hold::click && !isNear(from_, at)) hold_ = Hold::band;
   switch (hold_) {
@@ -112,6 +113,15 @@ void ViewportInput::move(const QMouseEvent& event) {
   hovering_.start();
   const QRectF nearAxes(0.0, viewport_.height() - kAxesReach, kAxesReach, kAxesReach);
   if (tool != nullptr || nearAxes.contains(at)) viewport_.update();
+}
+
+/// The release went to another window, such as a dialog that opened meanwhile.
+void ViewportInput::letGo(const QMouseEvent& event) {
+  const Hold held = std::exchange(hold_, Hold::nothing);
+  navigator_.release();
+  if (held == Hold::tool && viewport_.tool() != nullptr)
+    viewport_.tool()->release(viewport_, pointerOf(event));
+  viewport_.update();
 }
 
 void ViewportInput::release(const QMouseEvent& event) {
@@ -185,12 +195,20 @@ bool ViewportInput::key(const QKeyEvent& event) {
     hold_ = Hold::nothing;
   } else if (tool != nullptr && tool->key(viewport_, event.key(), event.modifiers())) {
     // It has it.
-  } else if (escape && tool != nullptr && tool->cancel(viewport_)) {
-    forgetToolPress();
-  } else if (escape && tool != nullptr) {
-    viewport_.setTool(nullptr);
   } else {
-    return false;
+    return escape && tool != nullptr && this->escape();
+  }
+  viewport_.update();
+  return true;
+}
+
+bool ViewportInput::escape() {
+  Tool* tool = viewport_.tool();
+  if (tool == nullptr) return false;
+  if (tool->cancel(viewport_)) {
+    forgetToolPress();
+  } else {
+    viewport_.setTool(nullptr);
   }
   viewport_.update();
   return true;

@@ -48,6 +48,8 @@ class ViewportInput : public QObject {
   void pinch(double change, const QPointF& at);
   /// True: taken.
   bool key(const QKeyEvent& event);
+  /// Esc, with a tool. True: taken.
+  bool escape();
 
  signals:
   void cameraMoved();
@@ -60,6 +62,7 @@ class ViewportInput : public QObject {
   enum class Hold : std::uint8_t { nothing, axes, camera, tool, click, band };
 
   void showHover();
+  void letGo(const QMouseEvent& event);
   void releaseAxes(const QPointF& at);
 
   Viewport& viewport_;

@@ -1,9 +1,11 @@
 #include "ui/window/main_window.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
@@ -219,7 +221,25 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
+/// Over the picture Tab is its shortcut, also where a list has the keyboard: what was clicked there is what
+/// is to be edited. In fields it goes from one to the next wherever the pointer is.
+bool MainWindow::editsPoints() {
+  const bool inList = qobject_cast<QAbstractItemView*>(QApplication::focusWidget()) != nullptr;
+  QAction* points = actions_.editors->editPoints();
+  if (!inList || !viewport_->underMouse() || !points->isEnabled()) return false;
+  viewport_->setFocus(Qt::ShortcutFocusReason);
+  points->trigger();
+  return true;
+}
+
+/// What no panel wants.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && !showsGallery() && viewport_->leaveTool()) return;
+  QMainWindow::keyPressEvent(event);
+}
+
 bool MainWindow::focusNextPrevChild(bool next) {
+  if (next && editsPoints()) return true;
   return moveFocus(*this, next) || QMainWindow::focusNextPrevChild(next);
 }
 

@@ -38,6 +38,7 @@ class MainWindow : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   bool focusNextPrevChild(bool next) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -49,6 +50,7 @@ class MainWindow : public QMainWindow {
   void makeStatusBar();
 
   bool showsGallery() const;
+  bool editsPoints();
   void rememberLayout() const;
   void recallLayout();
   void showTitle();
