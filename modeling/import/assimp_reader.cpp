@@ -89,10 +89,9 @@ class AssimpScene {
 
   /// How far each of its shape keys is on; nothing where that can't be told.
   std::optional<std::vector<double>> weightsOf(const aiMesh& mesh) const {
-    std::vector<ShapeKeys::Key> keys;
-    for (unsigned k = 0; k < mesh.mNumAnimMeshes; ++k)
-      keys.push_back({mesh.mAnimMeshes[k]->mName.C_Str(), static_cast<double>(mesh.mAnimMeshes[k]->mWeight)});
-    return keys.empty() ? std::vector<double>() : shapeKeys_.weightsOf(keys);
+    std::vector<std::string> names;
+    for (unsigned k = 0; k < mesh.mNumAnimMeshes; ++k) names.emplace_back(mesh.mAnimMeshes[k]->mName.C_Str());
+    return shapeKeys_.weightsOf(names);
   }
 
   static aiVector3D shapedPoint(const aiMesh& mesh, const std::vector<double>& weights, unsigned vertex) {
@@ -204,7 +203,11 @@ void addColladaStatements(const aiScene& scene, std::string_view text, RawMesh& 
 
 Reading readByAssimp(const std::filesystem::path& file, std::string_view bytes, std::string_view ending) {
   const bool isFbx = ending == ".fbx";
-  const ShapeKeys keys = isFbx ? ShapeKeys::ofFbx(bytes) : ShapeKeys::ofCollada(bytes);
+  // assimp (5.2 to 5.4) leaves out meshes of Collada that have shape keys.
+  if (!isFbx && bytes.find("<morph") != std::string_view::npos)
+    return Problem{"", "it has shape keys (morph), which can't be read in Collada",
+                   "apply its shape keys before exporting it, or export it as glTF"};
+  const ShapeKeys keys(bytes);
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);

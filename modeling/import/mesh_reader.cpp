@@ -24,6 +24,9 @@ Reading readByEnding(const std::filesystem::path& file, std::string_view bytes, 
 /// What there is in place of faces.
 Problem noFaces(const RawMesh& raw) {
   const std::string what = "there are no faces in this file";
+  if (raw.flatFaces > 0)
+    return {"", "none of the " + std::to_string(raw.flatFaces) + " faces of this mesh has an area",
+            "export a mesh of faces"};
   if (raw.wires > 0) return {"", what + ", only lines", "export a mesh of faces"};
   if (raw.loosePoints > 0 || !raw.points.empty())
     return {"", what + ", only points", "make a mesh of them first, by a program for scans, and export that"};

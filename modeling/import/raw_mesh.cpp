@@ -41,7 +41,9 @@ sim::Status addPolygon(const std::vector<std::int64_t>& corners, const std::stri
     if (auto status = checkCorner(corner, which, raw); !status) return status;
     ring.push_back(static_cast<std::uint32_t>(corner));
   }
+  const std::size_t before = raw.triangles.size();
   addTrianglesOf(ring, raw.points, raw.triangles);
+  if (raw.triangles.size() == before) ++raw.flatFaces;
   return checkCount(raw);
 }
 
@@ -76,6 +78,7 @@ sim::ByteWriter bytesOf(const Reading& reading) {
   for (const Vec3& axis : reading->axes) bytes.put(axis);
   bytes.put(reading->loosePoints);
   bytes.put(reading->wires);
+  bytes.put(reading->flatFaces);
   bytes.putString(reading->note);
   return bytes;
 }
@@ -101,6 +104,7 @@ Reading readingOf(const std::vector<std::byte>& bytes) {
   for (Vec3& axis : raw.axes) reader.read(axis);
   reader.read(raw.loosePoints);
   reader.read(raw.wires);
+  reader.read(raw.flatFaces);
   reader.readString(raw.note);
   for (const auto& triangle : raw.triangles)
     for (const std::uint32_t point : triangle)

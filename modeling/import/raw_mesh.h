@@ -27,7 +27,7 @@ struct RawMesh {
   /// Which way is right, away from who looks from the front, and up, as the file's axes; where somebody says.
   std::array<sim::Vec3, 3> axes{sim::Vec3::UnitX(), sim::Vec3::UnitY(), sim::Vec3::UnitZ()};
   /// What there is beside triangles, for who finds none.
-  std::uint64_t loosePoints = 0, wires = 0;
+  std::uint64_t loosePoints = 0, wires = 0, flatFaces = 0;
   std::string note;  ///< what was passed over or applied, for a person; empty: nothing
 
   void stateUnit(double centimetres, Statement by) {
@@ -41,8 +41,9 @@ struct RawMesh {
 
 using Reading = sim::Result<RawMesh>;
 
-/// Takes the polygon apart into triangles (polygon.h). A Problem where a corner is not there, or where there
-/// would be too many triangles; `which` names the polygon: "line 7".
+/// Takes the polygon apart into triangles (polygon.h); one of fewer than three different corners is counted.
+/// A Problem where a corner is not there, or where there would be too many triangles; `which` names the
+/// polygon: "line 7".
 sim::Status addPolygon(const std::vector<std::int64_t>& corners, const std::string& which, RawMesh& raw);
 /// Triangles of which each shares an edge with the one before it.
 sim::Status addStrip(const std::vector<std::int64_t>& corners, const std::string& which, RawMesh& raw);

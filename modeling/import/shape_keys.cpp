@@ -1,8 +1,8 @@
 #include "modeling/import/shape_keys.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include "modeling/import/mesh_text.h"
 
@@ -54,29 +54,9 @@ std::string keyNameBefore(std::string_view bytes, std::size_t end, bool isBinary
   return "";
 }
 
-/// The numbers of the source that an element, in which `at` is, names.
-std::vector<double> sourceNumbers(std::string_view text, std::size_t at) {
-  std::vector<double> numbers;
-  const std::size_t open = text.rfind('<', at);
-  const std::string_view element = text.substr(open, text.find('>', at) - open);
-  std::size_t name = element.find("source=");
-  if (name == std::string_view::npos || (name = element.find('#', name)) == std::string_view::npos)
-    return numbers;
-  const std::string_view id = element.substr(name + 1, element.find_first_of("\"'", name) - name - 1);
-  std::size_t from = text.find("id=\"" + std::string(id) + "\"");
-  if (from == std::string_view::npos) return numbers;
-  if (behind(text, "<float_array", from).empty() || behind(text, ">", from).empty()) return numbers;
-  std::string_view words = text.substr(from, text.find('<', from) - from);
-  for (std::string_view word = nextWord(words); !word.empty(); word = nextWord(words))
-    if (const auto number = numberOf(word)) numbers.push_back(*number);
-  return numbers;
-}
-
 }  // namespace
 
-ShapeKeys ShapeKeys::ofFbx(std::string_view bytes) {
-  ShapeKeys keys;
-  keys.isFbx_ = true;
+ShapeKeys::ShapeKeys(std::string_view bytes) {
   const bool isBinary = bytes.starts_with("Kaydara FBX Binary");
   // A record of a binary file begins with the length of its name.
   const std::string_view mark = isBinary ? "\x0d"
@@ -86,62 +66,32 @@ ShapeKeys ShapeKeys::ofFbx(std::string_view bytes) {
     const std::string_view rest = behind(bytes, mark, from);
     if (rest.empty()) break;
     if (const auto percent = recordNumber(rest, isBinary))
-      keys.named_[keyNameBefore(bytes, from, isBinary)].push_back(*percent / 100.0);
+      weights_[keyNameBefore(bytes, from, isBinary)].push_back(*percent / 100.0);
   }
-  return keys;
 }
 
-ShapeKeys ShapeKeys::ofCollada(std::string_view text) {
-  ShapeKeys keys;
-  for (std::size_t from = 0; from < text.size();) {
-    if (behind(text, "MORPH_WEIGHT", from).empty()) break;
-    keys.lists_.push_back(sourceNumbers(text, from));
-  }
-  return keys;
-}
-
-std::optional<double> ShapeKeys::namedWeight(const std::vector<Key>& keys, const std::string& name) const {
-  const auto found = named_.find(name);
-  if (found == named_.end()) {
+std::optional<double> ShapeKeys::weightOf(const std::string& name,
+                                          const std::vector<std::string>& names) const {
+  const auto found = weights_.find(name);
+  std::vector<double> stated;
+  for (const auto& [other, weights] : weights_)
     // Where all are alike, names do not matter.
-    std::optional<double> all;
-    for (const auto& [other, weights] : named_) {
-      for (const double weight : weights) {
-        if (all && *all != weight) return std::nullopt;
-        all = weight;
-      }
-    }
-    return all;
-  }
-  const std::vector<double>& weights = found->second;
-  if (!std::all_of(weights.begin(), weights.end(), [&](double weight) { return weight == weights.front(); }))
+    if (found == weights_.end() || other == name) stated.insert(stated.end(), weights.begin(), weights.end());
+  if (stated.empty() || std::count(stated.begin(), stated.end(), stated.front()) != std::ssize(stated))
     return std::nullopt;
   // Several shapes on the way of one key share its name; how they share its weight is not said.
-  const auto ofName =
-      std::count_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
-  if (ofName > 1 && weights.front() != 0.0) return std::nullopt;
-  return weights.front();
+  if (std::count(names.begin(), names.end(), name) > 1 && stated.front() != 0.0) return std::nullopt;
+  return stated.front();
 }
 
-std::optional<std::vector<double>> ShapeKeys::weightsOf(const std::vector<Key>& keys) const {
-  std::vector<double> made;
-  if (isFbx_) {
-    for (const Key& key : keys) {
-      const auto weight = namedWeight(keys, key.name);
-      if (!weight) return std::nullopt;
-      made.push_back(*weight);
-    }
-    return made;
+std::optional<std::vector<double>> ShapeKeys::weightsOf(const std::vector<std::string>& names) const {
+  std::vector<double> weights;
+  for (const std::string& name : names) {
+    const auto weight = weightOf(name, names);
+    if (!weight) return std::nullopt;
+    weights.push_back(*weight);
   }
-  for (const std::vector<double>& list : lists_) {
-    bool fits = list.size() == keys.size();
-    for (std::size_t i = 0; i < keys.size() && fits; ++i)
-      fits = std::abs((list[i] == 0.0 ? 1.0 : list[i]) - keys[i].weight) < 1e-5;
-    if (!fits) continue;
-    if (!made.empty() && made != list) return std::nullopt;
-    made = list;
-  }
-  return made.size() == keys.size() ? std::optional(made) : std::nullopt;
+  return weights;
 }
 
 }  // namespace modeling
