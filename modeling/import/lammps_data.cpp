@@ -29,11 +29,6 @@ constexpr std::array<std::string_view, 5> kLabelSections{"Atom Type Labels", "Bo
 constexpr std::array<std::string_view, 7> kOtherSections{"Angles", "Dihedrals", "Impropers", "Ellipsoids",
                                                          "Lines",  "Triangles", "Bodies"};
 
-struct AtomId {
-  std::int64_t id = 0;
-  std::uint32_t node = 0;
-};
-
 using Image = std::array<std::int32_t, 3>;
 constexpr std::int64_t kMostBoxes = 1 << 20;  // LAMMPS' own limit is 512, or this
 
@@ -110,7 +105,7 @@ class Reader {
       return failAt(words[0], "there is no section " + inQuotes(section_) + " in a file of nodes and bonds",
                     didYouMean(section_, {"Masses", "Atoms", "Velocities", "Bonds"}));
     }
-    if (*readLine == &Reader::readVelocity || *readLine == &Reader::readBond) sortIds();
+    if (*readLine == &Reader::readVelocity || *readLine == &Reader::readBond) ids_.sort();
     while (lines_.next()) {
       if (lines_.words().empty()) continue;
       if (beginsSection(*readLine == &Reader::passOver)) return true;
@@ -204,7 +199,7 @@ class Reader {
   }
 
   bool readAtom() {
-    AtomId atom{0, static_cast<std::uint32_t>(ids_.size())};
+    std::int64_t id = 0;
     std::int64_t type = 0;
     Vec3 position = Vec3::Zero();
     Image image{};
@@ -212,12 +207,12 @@ class Reader {
       return failAt(lines_.words()[0], "there are more than " + std::to_string(kMaxLatticeNodes) + " atoms",
                     "use fewer");
     }
-    if (!wordCount({style_.words, style_.words + 3}, style_.form) || !readInteger(0, "the id", atom.id) ||
+    if (!wordCount({style_.words, style_.words + 3}, style_.form) || !readInteger(0, "the id", id) ||
         !readType(style_.type, atomLabels_, type) || !readVector(style_.position, position) ||
         !readImage(image) || !readBall()) {
       return false;
     }
-    ids_.push_back(atom);
+    ids_.add(id);
     atomLines_.push_back(lines_.line());
     types_.push_back(type);
     images_.push_back(image);
@@ -286,19 +281,13 @@ class Reader {
     return true;
   }
 
-  void sortIds() {
-    std::sort(ids_.begin(), ids_.end(),
-              [](const AtomId& a, const AtomId& b) { return a.id != b.id ? a.id < b.id : a.node < b.node; });
-  }
-
   bool findNode(std::size_t word, std::int64_t id, std::uint32_t& node) {
-    const auto found = std::lower_bound(ids_.begin(), ids_.end(), id,
-                                        [](const AtomId& a, std::int64_t b) { return a.id < b; });
-    if (found == ids_.end() || found->id != id) {
+    const std::optional<std::uint32_t> found = ids_.nodeOf(id);
+    if (!found) {
       return failAt(lines_.words()[word], "there is no atom " + std::to_string(id),
                     "list it in the section \"Atoms\", which must come first");
     }
-    node = found->node;
+    node = *found;
     return true;
   }
 
@@ -366,12 +355,10 @@ class Reader {
   }
 
   bool checkIds() {
-    sortIds();
-    const auto twice = std::adjacent_find(ids_.begin(), ids_.end(),
-                                          [](const AtomId& a, const AtomId& b) { return a.id == b.id; });
-    return twice == ids_.end() ||
-           fail(atomLines_[std::next(twice)->node], 1,
-                "the id " + std::to_string(twice->id) + " is given twice", "number atoms apart");
+    ids_.sort();
+    const auto twice = ids_.givenTwice();
+    return !twice || fail(atomLines_[twice->node], 1,
+                          "the id " + std::to_string(twice->id) + " is given twice", "number atoms apart");
   }
 
   bool checkBonds() {
@@ -407,7 +394,7 @@ class Reader {
   std::string section_;  ///< that is being read
   std::map<std::string, std::int64_t> atomLabels_, bondLabels_;
   std::map<std::int64_t, double> masses_;
-  std::vector<AtomId> ids_;  ///< in file order until the first section that looks them up
+  LammpsIds ids_;  ///< in file order until the first section that looks them up
   std::vector<std::int64_t> types_;
   std::vector<std::uint32_t> atomLines_;
   std::vector<Image> images_;
