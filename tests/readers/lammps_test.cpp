@@ -4,8 +4,10 @@
 #include <map>
 #include <sstream>
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "modeling/import/lammps_data.h"
 #include "sim/take/take.h"
 #include "tests/support/run_program.h"
 
@@ -307,6 +309,38 @@ TEST_CASE("a run that goes on from a later frame comes back as one, by the numbe
   REQUIRE(theirs->frameCount() == 2);
   for (std::size_t node = 0; node < ours->network().nodeCount(); ++node)
     CHECK(((*ours->frame(3))->positions[node] - (*theirs->frame(0))->positions[node]).norm() < 1e-12);
+}
+
+/// Three nodes and two bonds along each edge of a cube of 2 cm.
+void checkCube(const std::string& file) {
+  const auto data = modeling::loadLammpsData(file);
+  INFO(file);
+  if (!data) FAIL(data.problem().line());
+  CHECK(data->positions.size() == 27);
+  CHECK(data->bonds.size() == 54);
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : data->positions) box.extend(position);
+  CHECK((box.sizes() - Vec3(2, 2, 2)).norm() < 1e-9);
+}
+
+TEST_CASE("a cube that LAMMPS writes across the corner of its periodic box is read whole") {
+  if (!haveLammps()) return;
+  const std::string folder = tests::freshFolder("smithereens-lammps");
+  for (const std::string& shape :
+       {std::string("block 0 4 0 4 0 4"), std::string("prism 0 4 0 4 0 4 1 0 0")}) {
+    std::ofstream(folder + "/cube.in")
+        << "units lj\nboundary p p p\natom_style full\nlattice sc 1\nregion all " << shape
+        << "\ncreate_box 1 all bond/types 1 extra/bond/per/atom 6 extra/special/per/atom 50\n"
+           "region cube block 0.9 3.1 -0.1 2.1 -0.1 2.1\ncreate_atoms 1 region cube\nmass 1 1.5\n"
+           "pair_style zero 1.5\npair_coeff * *\nbond_style zero\nbond_coeff *\n"
+           "create_bonds many all all 1 0.9 1.1\ndisplace_atoms all move 1.6 2.6 2.6 units box\nrun 0\n"
+           "write_data cube.data\n";
+    BothRuns::need(tests::runCommand("cd " + folder + " && OMP_NUM_THREADS=1 lmp -in cube.in -log none"));
+    // With its image flags, and as if it had none, packed.
+    BothRuns::need(tests::runCommand(
+        "cd " + folder + " && awk 'NF == 10 {NF = 7} 1' cube.data > plain.data && gzip -kf plain.data"));
+    for (const char* const name : {"/cube.data", "/plain.data", "/plain.data.gz"}) checkCube(folder + name);
+  }
 }
 
 /// A test of its own for ctest, readers-large: it takes a minute.
