@@ -11,6 +11,7 @@
 #include "modeling/import/lammps_atom_style.h"
 #include "modeling/import/lammps_checks.h"
 #include "modeling/import/lammps_header.h"
+#include "modeling/import/lammps_sections.h"
 #include "modeling/import/lammps_unwrap.h"
 #include "modeling/shapes/resolution.h"
 #include "modeling/text/line_tokens.h"
@@ -21,13 +22,6 @@ namespace modeling {
 namespace {
 
 using sim::Vec3;
-
-/// Names of sections. A line of numbers never begins like one.
-constexpr std::array<std::string_view, 5> kLabelSections{"Atom Type Labels", "Bond Type Labels",
-                                                         "Angle Type Labels", "Dihedral Type Labels",
-                                                         "Improper Type Labels"};
-constexpr std::array<std::string_view, 7> kOtherSections{"Angles", "Dihedrals", "Impropers", "Ellipsoids",
-                                                         "Lines",  "Triangles", "Bodies"};
 
 using Image = std::array<std::int32_t, 3>;
 constexpr std::int64_t kMostBoxes = 1 << 20;  // LAMMPS' own limit is 512, or this
@@ -71,12 +65,6 @@ class Reader {
     return true;
   }
 
-  static std::string sectionName(const std::vector<Token>& words) {
-    std::string name(words[0].text);
-    for (std::size_t i = 1; i < words.size() && i < 4; ++i) name.append(1, ' ').append(words[i].text);
-    return name;
-  }
-
   using ReadLine = bool (Reader::*)();
   /// What reads the lines of a section; nothing for one that is not ours.
   std::optional<ReadLine> readerOf(const std::string& name) const {
@@ -85,11 +73,10 @@ class Reader {
     if (name == "Velocities") return &Reader::readVelocity;
     if (name == "Bonds") return &Reader::readBond;
     if (name.ends_with("Coeffs")) return &Reader::passOver;
-    if (name == kLabelSections[0]) return &Reader::readAtomLabel;
-    if (name == kLabelSections[1]) return &Reader::readBondLabel;
-    const auto is = [&](std::string_view known) { return known == name; };
-    if (std::any_of(kLabelSections.begin(), kLabelSections.end(), is)) return &Reader::passOver;
-    if (std::any_of(kOtherSections.begin(), kOtherSections.end(), is)) return &Reader::refuseLine;
+    if (name == kLammpsLabelSections[0]) return &Reader::readAtomLabel;
+    if (name == kLammpsLabelSections[1]) return &Reader::readBondLabel;
+    if (isIn(kLammpsLabelSections, name)) return &Reader::passOver;
+    if (isIn(kLammpsOtherSections, name)) return &Reader::refuseLine;
     return std::nullopt;
   }
 
@@ -97,7 +84,7 @@ class Reader {
   /// problem.
   bool readSection() {
     const std::vector<Token> words = lines_.words();
-    section_ = sectionName(words);
+    section_ = lammpsSectionName(words);
     if (section_ == "Atoms" && !takeAtomStyle(words[0])) return false;
     if (section_ == "Atoms") data_.atomsLine = lines_.line();
     const std::optional<ReadLine> readLine = readerOf(section_);
@@ -116,8 +103,8 @@ class Reader {
 
   /// Lines that are passed over may begin with a label.
   bool beginsSection(bool passedOver) const {
-    if (passedOver) return readerOf(sectionName(lines_.words())).has_value();
-    return !lines_.words()[0].number() && !isDamagedNumber(lines_.words());
+    if (passedOver) return readerOf(lammpsSectionName(lines_.words())).has_value();
+    return !lines_.words()[0].number() && !isDamagedLammpsLine(lines_.words());
   }
   bool passOver() { return true; }
   bool refuseLine() {
@@ -134,12 +121,6 @@ class Reader {
   }
   bool readAtomLabel() { return readLabel(atomLabels_); }
   bool readBondLabel() { return readLabel(bondLabels_); }
-
-  /// A line of a section starts with a number; the name of the next section has no digits in it.
-  static bool isDamagedNumber(const std::vector<Token>& words) {
-    return words[0].text.find_first_of("0123456789") != std::string_view::npos ||
-           (words.size() > 1 && words[1].number().has_value());
-  }
 
   bool takeAtomStyle(const Token& word) {
     if (data_.atomsLine != 0) return failAt(word, "there is a second section \"Atoms\"", "keep one of them");
