@@ -131,7 +131,7 @@ sim::Status LammpsDumpReader::readSection(LammpsDumpFrame& frame, std::uint64_t&
     return problem("this is no dump of LAMMPS: a section begins with \"ITEM: \"");
   if (auto status = needLine(); !status) return status;
   const auto words = wordsOf(text_);
-  if (units && !words.empty()) frame.units = words[0].text;
+  if (units && !words.empty()) units_ = words[0].text;
   if (!step && !time && !count) return sim::Done{};
   const auto whole = words.empty() ? std::nullopt : words[0].integer();
   const auto number = words.empty() ? std::nullopt : words[0].number();
@@ -150,6 +150,7 @@ sim::Status LammpsDumpReader::readHead(LammpsDumpFrame& frame, std::uint64_t& ro
     if (auto status = needLine(); !status) return status;
   }
   frame.line = line_ + 1;
+  frame.units = units_;
   if (rows > mostRows_) {
     return problem("there are " + std::to_string(rows) + " rows, more than the " + std::to_string(mostRows_) +
                    " that the scene can have");

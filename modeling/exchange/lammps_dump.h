@@ -60,6 +60,7 @@ class LammpsDumpReader {
   std::size_t mostRows_;
   std::vector<std::string> wanted_;
   std::vector<bool> isWanted_;  ///< of the columns of the moment that is read
+  std::string units_;           ///< LAMMPS states them once, at the head of a file
   std::string text_;
   std::uint32_t line_ = 0;
 };

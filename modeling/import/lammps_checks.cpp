@@ -6,6 +6,23 @@
 
 namespace modeling {
 
+void LammpsIds::sort() {
+  std::sort(ids_.begin(), ids_.end());
+}
+
+std::optional<std::uint32_t> LammpsIds::nodeOf(std::int64_t id) const {
+  const auto found = std::lower_bound(ids_.begin(), ids_.end(), Entry{id, 0});
+  if (found == ids_.end() || found->id != id) return std::nullopt;
+  return found->node;
+}
+
+std::optional<LammpsIds::Entry> LammpsIds::givenTwice() const {
+  const auto twice = std::adjacent_find(ids_.begin(), ids_.end(),
+                                        [](const Entry& a, const Entry& b) { return a.id == b.id; });
+  if (twice == ids_.end()) return std::nullopt;
+  return *std::next(twice);
+}
+
 std::optional<std::pair<std::uint32_t, std::uint32_t>> twoInOnePlace(
     const std::vector<sim::Vec3>& positions) {
   std::vector<std::uint32_t> order(positions.size());

@@ -11,6 +11,7 @@
 #include "modeling/import/lammps_atom_style.h"
 #include "modeling/import/lammps_checks.h"
 #include "modeling/import/lammps_header.h"
+#include "modeling/import/lammps_sections.h"
 #include "modeling/import/lammps_unwrap.h"
 #include "modeling/shapes/resolution.h"
 #include "modeling/text/line_tokens.h"
@@ -21,18 +22,6 @@ namespace modeling {
 namespace {
 
 using sim::Vec3;
-
-/// Names of sections. A line of numbers never begins like one.
-constexpr std::array<std::string_view, 5> kLabelSections{"Atom Type Labels", "Bond Type Labels",
-                                                         "Angle Type Labels", "Dihedral Type Labels",
-                                                         "Improper Type Labels"};
-constexpr std::array<std::string_view, 7> kOtherSections{"Angles", "Dihedrals", "Impropers", "Ellipsoids",
-                                                         "Lines",  "Triangles", "Bodies"};
-
-struct AtomId {
-  std::int64_t id = 0;
-  std::uint32_t node = 0;
-};
 
 using Image = std::array<std::int32_t, 3>;
 constexpr std::int64_t kMostBoxes = 1 << 20;  // LAMMPS' own limit is 512, or this
@@ -76,12 +65,6 @@ class Reader {
     return true;
   }
 
-  static std::string sectionName(const std::vector<Token>& words) {
-    std::string name(words[0].text);
-    for (std::size_t i = 1; i < words.size() && i < 4; ++i) name.append(1, ' ').append(words[i].text);
-    return name;
-  }
-
   using ReadLine = bool (Reader::*)();
   /// What reads the lines of a section; nothing for one that is not ours.
   std::optional<ReadLine> readerOf(const std::string& name) const {
@@ -90,11 +73,10 @@ class Reader {
     if (name == "Velocities") return &Reader::readVelocity;
     if (name == "Bonds") return &Reader::readBond;
     if (name.ends_with("Coeffs")) return &Reader::passOver;
-    if (name == kLabelSections[0]) return &Reader::readAtomLabel;
-    if (name == kLabelSections[1]) return &Reader::readBondLabel;
-    const auto is = [&](std::string_view known) { return known == name; };
-    if (std::any_of(kLabelSections.begin(), kLabelSections.end(), is)) return &Reader::passOver;
-    if (std::any_of(kOtherSections.begin(), kOtherSections.end(), is)) return &Reader::refuseLine;
+    if (name == kLammpsLabelSections[0]) return &Reader::readAtomLabel;
+    if (name == kLammpsLabelSections[1]) return &Reader::readBondLabel;
+    if (isIn(kLammpsLabelSections, name)) return &Reader::passOver;
+    if (isIn(kLammpsOtherSections, name)) return &Reader::refuseLine;
     return std::nullopt;
   }
 
@@ -102,7 +84,7 @@ class Reader {
   /// problem.
   bool readSection() {
     const std::vector<Token> words = lines_.words();
-    section_ = sectionName(words);
+    section_ = lammpsSectionName(words);
     if (section_ == "Atoms" && !takeAtomStyle(words[0])) return false;
     if (section_ == "Atoms") data_.atomsLine = lines_.line();
     const std::optional<ReadLine> readLine = readerOf(section_);
@@ -110,7 +92,7 @@ class Reader {
       return failAt(words[0], "there is no section " + inQuotes(section_) + " in a file of nodes and bonds",
                     didYouMean(section_, {"Masses", "Atoms", "Velocities", "Bonds"}));
     }
-    if (*readLine == &Reader::readVelocity || *readLine == &Reader::readBond) sortIds();
+    if (*readLine == &Reader::readVelocity || *readLine == &Reader::readBond) ids_.sort();
     while (lines_.next()) {
       if (lines_.words().empty()) continue;
       if (beginsSection(*readLine == &Reader::passOver)) return true;
@@ -121,8 +103,8 @@ class Reader {
 
   /// Lines that are passed over may begin with a label.
   bool beginsSection(bool passedOver) const {
-    if (passedOver) return readerOf(sectionName(lines_.words())).has_value();
-    return !lines_.words()[0].number() && !isDamagedNumber(lines_.words());
+    if (passedOver) return readerOf(lammpsSectionName(lines_.words())).has_value();
+    return !lines_.words()[0].number() && !isDamagedLammpsLine(lines_.words());
   }
   bool passOver() { return true; }
   bool refuseLine() {
@@ -139,12 +121,6 @@ class Reader {
   }
   bool readAtomLabel() { return readLabel(atomLabels_); }
   bool readBondLabel() { return readLabel(bondLabels_); }
-
-  /// A line of a section starts with a number; the name of the next section has no digits in it.
-  static bool isDamagedNumber(const std::vector<Token>& words) {
-    return words[0].text.find_first_of("0123456789") != std::string_view::npos ||
-           (words.size() > 1 && words[1].number().has_value());
-  }
 
   bool takeAtomStyle(const Token& word) {
     if (data_.atomsLine != 0) return failAt(word, "there is a second section \"Atoms\"", "keep one of them");
@@ -204,7 +180,7 @@ class Reader {
   }
 
   bool readAtom() {
-    AtomId atom{0, static_cast<std::uint32_t>(ids_.size())};
+    std::int64_t id = 0;
     std::int64_t type = 0;
     Vec3 position = Vec3::Zero();
     Image image{};
@@ -212,12 +188,12 @@ class Reader {
       return failAt(lines_.words()[0], "there are more than " + std::to_string(kMaxLatticeNodes) + " atoms",
                     "use fewer");
     }
-    if (!wordCount({style_.words, style_.words + 3}, style_.form) || !readInteger(0, "the id", atom.id) ||
+    if (!wordCount({style_.words, style_.words + 3}, style_.form) || !readInteger(0, "the id", id) ||
         !readType(style_.type, atomLabels_, type) || !readVector(style_.position, position) ||
         !readImage(image) || !readBall()) {
       return false;
     }
-    ids_.push_back(atom);
+    ids_.add(id);
     atomLines_.push_back(lines_.line());
     types_.push_back(type);
     images_.push_back(image);
@@ -286,19 +262,13 @@ class Reader {
     return true;
   }
 
-  void sortIds() {
-    std::sort(ids_.begin(), ids_.end(),
-              [](const AtomId& a, const AtomId& b) { return a.id != b.id ? a.id < b.id : a.node < b.node; });
-  }
-
   bool findNode(std::size_t word, std::int64_t id, std::uint32_t& node) {
-    const auto found = std::lower_bound(ids_.begin(), ids_.end(), id,
-                                        [](const AtomId& a, std::int64_t b) { return a.id < b; });
-    if (found == ids_.end() || found->id != id) {
+    const std::optional<std::uint32_t> found = ids_.nodeOf(id);
+    if (!found) {
       return failAt(lines_.words()[word], "there is no atom " + std::to_string(id),
                     "list it in the section \"Atoms\", which must come first");
     }
-    node = found->node;
+    node = *found;
     return true;
   }
 
@@ -366,12 +336,10 @@ class Reader {
   }
 
   bool checkIds() {
-    sortIds();
-    const auto twice = std::adjacent_find(ids_.begin(), ids_.end(),
-                                          [](const AtomId& a, const AtomId& b) { return a.id == b.id; });
-    return twice == ids_.end() ||
-           fail(atomLines_[std::next(twice)->node], 1,
-                "the id " + std::to_string(twice->id) + " is given twice", "number atoms apart");
+    ids_.sort();
+    const auto twice = ids_.givenTwice();
+    return !twice || fail(atomLines_[twice->node], 1,
+                          "the id " + std::to_string(twice->id) + " is given twice", "number atoms apart");
   }
 
   bool checkBonds() {
@@ -407,7 +375,7 @@ class Reader {
   std::string section_;  ///< that is being read
   std::map<std::string, std::int64_t> atomLabels_, bondLabels_;
   std::map<std::int64_t, double> masses_;
-  std::vector<AtomId> ids_;  ///< in file order until the first section that looks them up
+  LammpsIds ids_;  ///< in file order until the first section that looks them up
   std::vector<std::int64_t> types_;
   std::vector<std::uint32_t> atomLines_;
   std::vector<Image> images_;

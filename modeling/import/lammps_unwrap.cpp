@@ -88,31 +88,65 @@ std::vector<std::vector<std::uint32_t>> bondsOfNodes(const LammpsData& data) {
   return bonds;
 }
 
-/// By how much each node is moved: by what hangs together, from its first node on.
-std::vector<Vec3> shiftsAlongBonds(const LammpsData& data, const Crossings& crossings) {
-  const std::vector<std::vector<std::uint32_t>> bonds = bondsOfNodes(data);
-  std::vector<Vec3> shifts(data.positions.size(), Vec3::Zero());
-  std::vector<bool> reached(data.positions.size(), false);
-  std::vector<std::uint32_t> front;
-  for (std::uint32_t root = 0; root < data.positions.size(); ++root) {
-    if (reached[root]) continue;
-    reached[root] = true;
-    front.assign(1, root);
-    while (!front.empty()) {
-      const std::uint32_t node = front.back();
-      front.pop_back();
-      for (const std::uint32_t bond : bonds[node]) {
-        const LammpsBond& of = data.bonds[bond];
-        const std::uint32_t other = of.a == node ? of.b : of.a;
-        if (reached[other]) continue;
-        reached[other] = true;
-        shifts[other] = shifts[node] + (of.a == node ? 1.0 : -1.0) * crossings.shift(bond);
-        front.push_back(other);
+/// By how much each node is moved: by what hangs together, from its first node on. Bonds through faces are
+/// followed when there are no others, so that a ring which does not close is told by one of them.
+class Shifts {
+ public:
+  Shifts(const LammpsData& data, const Crossings& crossings)
+      : data_(data),
+        crossings_(crossings),
+        bonds_(bondsOfNodes(data)),
+        shifts_(data.positions.size(), Vec3::Zero()),
+        reached_(data.positions.size(), false) {
+    for (std::uint32_t root = 0; root < data.positions.size(); ++root) {
+      if (reached_[root]) continue;
+      reached_[root] = true;
+      front_.push_back(root);
+      spread();
+      while (!through_.empty()) {
+        const std::uint32_t bond = through_.back();
+        through_.pop_back();
+        reach(bond, reached_[data.bonds[bond].a] ? data.bonds[bond].a : data.bonds[bond].b);
+        spread();
       }
     }
   }
-  return shifts;
-}
+
+  const Vec3& operator[](std::uint32_t node) const { return shifts_[node]; }
+
+ private:
+  void spread() {
+    while (!front_.empty()) {
+      const std::uint32_t node = front_.back();
+      front_.pop_back();
+      for (const std::uint32_t bond : bonds_[node]) {
+        if (crossings_.shift(bond) != Vec3::Zero())
+          through_.push_back(bond);
+        else
+          reach(bond, node);
+      }
+    }
+  }
+  /// The other end of a node's bond, unless it was reached before.
+  void reach(std::uint32_t bond, std::uint32_t node) {
+    const std::uint32_t other = otherEnd(bond, node);
+    if (reached_[other]) return;
+    reached_[other] = true;
+    shifts_[other] = shifts_[node] + (data_.bonds[bond].a == node ? 1.0 : -1.0) * crossings_.shift(bond);
+    front_.push_back(other);
+  }
+  std::uint32_t otherEnd(std::uint32_t bond, std::uint32_t node) const {
+    return data_.bonds[bond].a == node ? data_.bonds[bond].b : data_.bonds[bond].a;
+  }
+
+  const LammpsData& data_;
+  const Crossings& crossings_;
+  std::vector<std::vector<std::uint32_t>> bonds_;
+  std::vector<Vec3> shifts_;
+  std::vector<bool> reached_;
+  std::vector<std::uint32_t> front_;    ///< nodes whose bonds are to be followed
+  std::vector<std::uint32_t> through_;  ///< bonds through faces that are to be followed
+};
 
 std::string lengthsOf(double direct, double around) {
   std::ostringstream words;
@@ -126,7 +160,7 @@ std::string lengthsOf(double direct, double around) {
 sim::Status unwrapBonds(const LammpsBox& box, const std::string& source, LammpsData& data) {
   const Crossings crossings(box, data);
   if (crossings.count() == 0) return sim::Done{};
-  const std::vector<Vec3> shifts = shiftsAlongBonds(data, crossings);
+  const Shifts shifts(data, crossings);
   for (std::size_t bond = 0; bond < data.bonds.size(); ++bond) {
     const LammpsBond& of = data.bonds[bond];
     const Vec3 left = shifts[of.b] - shifts[of.a] - crossings.shift(bond);
@@ -138,7 +172,7 @@ sim::Status unwrapBonds(const LammpsBox& box, const std::string& source, LammpsD
                             ": it closes a ring through the box, which has no end",
                         "cut the bonds that go through one face of the box"};
   }
-  for (std::size_t node = 0; node < shifts.size(); ++node) data.positions[node] += shifts[node];
+  for (std::uint32_t node = 0; node < data.positions.size(); ++node) data.positions[node] += shifts[node];
   data.notes.push_back(std::to_string(crossings.count()) +
                        " bonds went through a periodic face of the box: atoms were moved by whole boxes, so "
                        "that these bonds are short");
