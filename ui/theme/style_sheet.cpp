@@ -40,7 +40,7 @@ QPushButton:disabled { color: @dimText; background: @panel; }
 QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox {
   background: @field; border: 1px solid @line; border-radius: 4px; padding: 3px 6px;
   selection-background-color: @accent; selection-color: @accentText; }
-QComboBox { background: @field; border: 1px solid @line; border-radius: 4px; padding: 3px 6px; }
+QComboBox { combobox-popup: 0; background: @field; border: 1px solid @line; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: @accent; }
 QComboBox::drop-down { border: 0; width: 20px; }
 QComboBox::down-arrow { image: url(:/icons/arrow-of-choice.svg); width: 10px; height: 10px; }
