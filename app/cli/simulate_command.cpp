@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
+#include "modeling/preflight/overlaps.h"
 #include "modeling/scene/build.h"
 #include "sim/take/take.h"
 
@@ -27,6 +28,8 @@ ExitStatus simulate(const SimulateOptions& options) {
   sim::Result<modeling::BuiltScene> built =
       modeling::build(scene, std::filesystem::path(options.scene.scene).parent_path());
   if (!built) return complain(file->located(built.problem()));
+  for (const modeling::Overlap& overlap : modeling::findOverlaps(*built))
+    std::cerr << "warning: " << modeling::sentence(overlap) << '\n';
 
   modeling::Conditions& conditions = built->conditions;
   conditions.settings.threads = options.threads;

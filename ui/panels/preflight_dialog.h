@@ -32,6 +32,7 @@ class PreflightDialog : public QDialog {
   void tick();
   void showResult();
   void showFlight(const modeling::Preflight& flight);
+  void showOverlaps(const modeling::Preflight& flight);
   void showProblem(const sim::Problem& problem);
   void showParts();
 
@@ -49,6 +50,7 @@ class PreflightDialog : public QDialog {
   QLabel* memory_;
   QLabel* take_;
   QLabel* breaking_;
+  QLabel* overlaps_;  ///< a line each
   QTreeWidget* parts_;
 };
 
