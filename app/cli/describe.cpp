@@ -105,6 +105,21 @@ Json worstCellsJson(const std::vector<modeling::PoorCell>& cells) {
   return list;
 }
 
+Json overlapsJson(const std::vector<modeling::Overlap>& overlaps) {
+  Json::Array list;
+  for (const modeling::Overlap& overlap : overlaps) {
+    const bool isOfParts = overlap.kind == modeling::Overlap::Kind::parts;
+    Json& entry = list.emplace_back(Json{{"part", overlap.part},
+                                         {isOfParts ? "other_part" : "obstacle", overlap.other},
+                                         {"depth_cm", overlap.depth},
+                                         {"at_cm", vectorJson(overlap.at)}});
+    if (!overlap.mend) continue;
+    entry["to_move"] = overlap.mend->part;
+    entry["move_cm"] = vectorJson(overlap.mend->move);
+  }
+  return list;
+}
+
 Json preflightJson(const modeling::Preflight& flight) {
   return {{"bonds_broken_at_rest", flight.brokenAtRestCount},
           {"components", flight.components},
@@ -117,7 +132,8 @@ Json preflightJson(const modeling::Preflight& flight) {
           {"expected_wall_s_per_s", flight.wallSecondsPerSecond},
           {"expected_take_bytes", flight.takeBytes},
           {"frames", flight.frames},
-          {"worst_cells", worstCellsJson(flight.worstCells)}};
+          {"worst_cells", worstCellsJson(flight.worstCells)},
+          {"overlaps", overlapsJson(flight.overlaps)}};
 }
 
 std::string beginningOf(const std::filesystem::path& file) {
@@ -144,9 +160,11 @@ sim::Result<Json> describeScene(const std::filesystem::path& file) {
   info["duration_s"] = scene->scene.output.duration;
   info["parts"] = partsJson(built->parts);
   info["glue"] = glueJson(built->glue);
-  info["warnings"] = built->warnings;
   const sim::Result<modeling::Preflight> flight = modeling::preflight(scene->scene, *built);
   if (!flight) return scene->located(flight.problem());
+  std::vector<std::string> warnings = built->warnings;
+  for (const modeling::Overlap& overlap : flight->overlaps) warnings.push_back(modeling::sentence(overlap));
+  info["warnings"] = warnings;
   info["preflight"] = preflightJson(*flight);
   return info;
 }

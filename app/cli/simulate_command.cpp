@@ -7,6 +7,7 @@
 #include "app/cli/scene_options.h"
 #include "app/cli/waiting.h"
 #include "modeling/files/output_guard.h"
+#include "modeling/preflight/overlaps.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_files.h"
 #include "sim/take/take.h"
@@ -41,6 +42,8 @@ ExitStatus simulate(const SimulateOptions& options) {
   sim::Result<modeling::BuiltScene> built = modeling::build(
       scene, std::filesystem::path(options.scene.scene).parent_path(), Waiting().attendance());
   if (!built) return complain(file->located(built.problem()));
+  for (const modeling::Overlap& overlap : modeling::findOverlaps(*built))
+    std::cerr << "warning: " << modeling::sentence(overlap) << '\n';
 
   modeling::Conditions& conditions = built->conditions;
   conditions.settings.threads = options.threads;

@@ -93,6 +93,7 @@ sim::Result<Preflight> preflight(const Scene& scene, const BuiltScene& built, in
   found.cells = built.network.cellCount();
   listBrokenAtRest(built.network, found);
   listWorstCells(built.network, found);
+  found.overlaps = findOverlaps(built, keepGoing);
   if (keepGoing && !keepGoing()) return kStopped;
   sim::Settings settings = built.conditions.settings;
   settings.threads = threads;

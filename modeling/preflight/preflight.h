@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "modeling/preflight/overlaps.h"
 #include "modeling/scene/build.h"
 #include "sim/dynamics/simulation.h"
 
@@ -47,6 +48,7 @@ struct Preflight {
   std::size_t brokenAtRestCount = 0;
   std::vector<BrokenAtRest> brokenAtRest;  ///< the most overstretched first, at most kMostListed
   std::vector<PoorCell> worstCells;        ///< the worst first, at most kMostListed
+  std::vector<Overlap> overlaps;           ///< all that begin inside each other
 
   static constexpr std::size_t kMostListed = 100;
 };

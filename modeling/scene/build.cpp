@@ -15,10 +15,12 @@ namespace {
 constexpr double kPoorJacobian = 0.2;
 constexpr double kPoorAspect = 8.0;
 
-std::vector<PartReport> reportsOf(const std::vector<AssemblyPart>& parts) {
+std::vector<PartReport> reportsOf(const std::vector<AssemblyPart>& parts, const GlueResult& glued) {
   std::vector<PartReport> reports;
-  for (const AssemblyPart& part : parts) {
-    PartReport& report = reports.emplace_back(PartReport{part.name, part.lattice.nodes.size(), {}});
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const AssemblyPart& part = parts[p];
+    const std::size_t cells = part.lattice.cells.size() - glued.droppedCells[p].size();
+    PartReport& report = reports.emplace_back(PartReport{part.name, part.lattice.nodes.size(), cells, {}});
     if (!part.lattice.cells.empty()) report.quality = measure(part.lattice);
   }
   return reports;
@@ -107,7 +109,7 @@ sim::Result<BuiltScene> build(const Scene& given, const std::filesystem::path& f
 
   built.network = std::move(network).value();
   built.conditions = conditionsOf(scene, built.network.materials);
-  built.parts = reportsOf(parts->parts);
+  built.parts = reportsOf(parts->parts, *glued);
   built.glue = glued->reports;
   built.warnings = std::move(remarks);
   built.warnings.insert(built.warnings.end(), parts->remarks.begin(), parts->remarks.end());

@@ -30,6 +30,7 @@ Conditions conditionsOf(const Scene& scene, const std::vector<sim::Material>& ma
 struct PartReport {
   std::string name;
   std::size_t nodes = 0;   ///< before gluing
+  std::size_t cells = 0;   ///< of the network: without those that gluing dropped
   LatticeQuality quality;  ///< as placed; all zero for a raw network
 };
 

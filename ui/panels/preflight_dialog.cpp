@@ -20,9 +20,25 @@ namespace {
 constexpr double kBadSkew = 0.3;
 constexpr double kBadStretch = 4.0;
 constexpr double kLongRun = 120.0;  // s
+/// As many overlaps are told of; the rest is counted.
+constexpr std::size_t kMostOverlaps = 6;
 
 QString colouredBy(const QColor& colour) {
   return QStringLiteral("color: %1;").arg(colour.name());
+}
+
+QString overlapLines(const std::vector<modeling::Overlap>& overlaps) {
+  QStringList lines;
+  for (const modeling::Overlap& overlap : overlaps) {
+    if (static_cast<std::size_t>(lines.size()) == kMostOverlaps) {
+      lines << PreflightDialog::tr("… and %L1 more").arg(overlaps.size() - kMostOverlaps);
+      break;
+    }
+    QString line = QString::fromStdString(modeling::sentence(overlap));
+    line[0] = line[0].toUpper();
+    lines << QStringLiteral("• ") + line + QStringLiteral(".");
+  }
+  return lines.join(QStringLiteral("\n"));
 }
 
 }  // namespace
@@ -61,6 +77,12 @@ PreflightDialog::PreflightDialog(Session& session, QWidget* parent) : QDialog(pa
   column->addWidget(verdict_);
   column->addWidget(busy_);
   column->addLayout(makeRows());
+  overlaps_ = new QLabel(this);
+  overlaps_->setObjectName(QStringLiteral("overlaps"));
+  overlaps_->setWordWrap(true);
+  overlaps_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  overlaps_->hide();
+  column->addWidget(overlaps_);
   makeParts();
   column->addWidget(parts_, 1);
   column->addWidget(makeButtons());
@@ -139,6 +161,7 @@ void PreflightDialog::look() {
   verdict_->setStyleSheet({});
   verdict_->setText(tr("Making some steps to see…"));
   busy_->show();
+  overlaps_->hide();
   for (QLabel* label : {size_, step_, clock_, second_, memory_, take_, breaking_}) label->clear();
   timer_.start();
 }
@@ -183,19 +206,30 @@ void PreflightDialog::showFlight(const modeling::Preflight& flight) {
   memory_->setText(roughSize(static_cast<double>(flight.memoryBytes)));
   take_->setText(tr("about %1").arg(roughSize(flight.takeBytes)));
   breaking_->setText(flight.brokenAtRestCount == 0 ? tr("none") : QString::number(flight.brokenAtRestCount));
-  const bool wrong = flight.brokenAtRestCount > 0 || flight.step > flight.stableStep;
+  showOverlaps(flight);
+  const bool wrong =
+      flight.brokenAtRestCount > 0 || flight.step > flight.stableStep || !flight.overlaps.empty();
   const bool slow = flight.wallSeconds > kLongRun;
   verdict_->setStyleSheet(colouredBy(wrong ? colours.bad : slow ? colours.warning : colours.good));
   if (flight.step > flight.stableStep)
     verdict_->setText(tr("The step is too long to be stable: set it to auto."));
-  else if (wrong)
+  else if (flight.brokenAtRestCount > 0)
     verdict_->setText(
         tr("Something breaks before it moves: raise the threshold, or let parts meet without strain."));
+  else if (wrong)
+    verdict_->setText(tr("Things begin inside each other: move them apart, or glue them."));
   else if (slow)
     verdict_->setText(tr("This will take %1. Larger cells or a softer material make it faster.")
                           .arg(roughTime(flight.wallSeconds)));
   else
     verdict_->setText(tr("Ready: done in %1.").arg(roughTime(flight.wallSeconds)));
+}
+
+void PreflightDialog::showOverlaps(const modeling::Preflight& flight) {
+  overlaps_->setTextFormat(Qt::PlainText);
+  overlaps_->setText(overlapLines(flight.overlaps));
+  overlaps_->setStyleSheet(colouredBy(Theme::instance().colours().bad));
+  overlaps_->setVisible(!flight.overlaps.empty());
 }
 
 void PreflightDialog::showProblem(const sim::Problem& problem) {

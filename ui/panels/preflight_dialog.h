@@ -33,6 +33,7 @@ class PreflightDialog : public QDialog {
   void noteChange();
   void showResult();
   void showFlight(const modeling::Preflight& flight);
+  void showOverlaps(const modeling::Preflight& flight);
   void showProblem(const sim::Problem& problem);
   void showParts();
 
@@ -50,6 +51,7 @@ class PreflightDialog : public QDialog {
   QLabel* memory_;
   QLabel* take_;
   QLabel* breaking_;
+  QLabel* overlaps_;  ///< a line each
   QTreeWidget* parts_;
 };
 
