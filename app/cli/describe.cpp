@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "app/cli/command.h"
+#include "app/cli/progress.h"
 #include "modeling/import/lammps_data.h"
 #include "modeling/preflight/preflight.h"
 #include "modeling/scene/build.h"
@@ -104,6 +105,18 @@ Json worstCellsJson(const std::vector<modeling::PoorCell>& cells) {
   return list;
 }
 
+Json overlapsJson(const std::vector<modeling::Overlap>& overlaps) {
+  Json::Array list;
+  for (const modeling::Overlap& overlap : overlaps) {
+    list.push_back(Json{{"part", overlap.part},
+                        {overlap.obstacle ? "obstacle" : "other_part", overlap.other},
+                        {"depth_cm", overlap.depth},
+                        {"near_cm", vectorJson(overlap.where)},
+                        {"way_out_cm", vectorJson(overlap.depth * overlap.wayOut)}});
+  }
+  return list;
+}
+
 Json preflightJson(const modeling::Preflight& flight) {
   return {{"bonds_broken_at_rest", flight.brokenAtRestCount},
           {"components", flight.components},
@@ -111,11 +124,12 @@ Json preflightJson(const modeling::Preflight& flight) {
           {"stable_step_limited_by", nameOf(flight.stableStepLimit)},
           {"step_s", flight.step},
           {"steps", flight.steps},
-          {"memory_bytes", flight.memoryBytes},
+          {"memory_bytes", flight.peakMemoryBytes},
           {"expected_wall_s", flight.wallSeconds},
           {"expected_wall_s_per_s", flight.wallSecondsPerSecond},
           {"expected_take_bytes", flight.takeBytes},
           {"frames", flight.frames},
+          {"overlaps", overlapsJson(flight.overlaps)},
           {"worst_cells", worstCellsJson(flight.worstCells)}};
 }
 
@@ -143,10 +157,17 @@ sim::Result<Json> describeScene(const std::filesystem::path& file) {
   info["duration_s"] = scene->scene.output.duration;
   info["parts"] = partsJson(built->parts);
   info["glue"] = glueJson(built->glue);
-  info["warnings"] = built->warnings;
+  info["warnings"] = Json::Array();  // its place; what is found below stands in it, too
   const sim::Result<modeling::Preflight> flight = modeling::preflight(scene->scene, *built);
   if (!flight) return scene->located(flight.problem());
   info["preflight"] = preflightJson(*flight);
+  std::vector<std::string> warnings = built->warnings;
+  for (const modeling::Overlap& overlap : flight->overlaps) warnings.push_back(overlap.text());
+  if (flight->wallSeconds > kVeryLong) {
+    warnings.push_back("the run would take about " + roughTime(flight->wallSeconds) +
+                       " on this machine; larger cells, a softer material or a shorter run are quicker");
+  }
+  info["warnings"] = warnings;
   return info;
 }
 

@@ -7,6 +7,7 @@
 #include "app/cli/loose_nodes.h"
 #include "app/cli/progress.h"
 #include "modeling/exchange/export.h"
+#include "modeling/text/printable.h"
 
 namespace app {
 
@@ -29,7 +30,7 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
     return true;
   };
   std::string remarks;
-  const auto remark = [&](const std::string& text) { remarks += text + "\n"; };
+  const auto remark = [&](const std::string& text) { remarks += modeling::printable(text) + "\n"; };
   auto status = format.write(take, {.path = options.out,
                                     .firstFrame = range.first,
                                     .lastFrame = range.last,

@@ -3,9 +3,12 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
+#include "modeling/preflight/overlaps.h"
 #include "modeling/scene/build.h"
+#include "modeling/text/printable.h"
 #include "sim/take/take.h"
 
 namespace app {
@@ -24,15 +27,23 @@ ExitStatus simulate(const SimulateOptions& options) {
   const sim::Result<modeling::SceneFile> file = options.scene.load();
   if (!file) return complain(file.problem());
   const modeling::Scene& scene = file->scene;
-  sim::Result<modeling::BuiltScene> built =
-      modeling::build(scene, std::filesystem::path(options.scene.scene).parent_path());
+  sim::Result<modeling::BuiltScene> built = [&] {
+    Progress progress("building");
+    progress.begin();
+    return modeling::build(scene, std::filesystem::path(options.scene.scene).parent_path());
+  }();
   if (!built) return complain(file->located(built.problem()));
 
   modeling::Conditions& conditions = built->conditions;
   conditions.settings.threads = options.threads;
-  auto simulation = sim::Simulation::create(std::move(built->network), std::move(conditions.environment),
-                                            std::move(conditions.tracks), conditions.settings);
+  const sim::Environment& environment = conditions.environment;
+  const std::vector<sim::Track>& tracks = conditions.tracks;
+  auto simulation =
+      sim::Simulation::create(std::move(built->network), environment, tracks, conditions.settings);
   if (!simulation) return complain(file->located(simulation.problem()));
+
+  const auto overlaps = modeling::findOverlaps(**simulation, environment, tracks);
+  for (const modeling::Overlap& overlap : overlaps) tell({{"", overlap.text(), ""}});
 
   // Last, because it replaces what was recorded before: by now the run is sure to begin.
   std::unique_ptr<sim::TakeWriter> take;
@@ -41,7 +52,8 @@ ExitStatus simulate(const SimulateOptions& options) {
     if (!created) return complain(created.problem());
     take = std::move(created).value();
   }
-  for (const std::string& warning : built->warnings) std::cout << "note          " << warning << '\n';
+  for (const std::string& warning : built->warnings)
+    std::cout << "note          " << modeling::printable(warning) << '\n';
   auto recording =
       modeling::Recording::ofNewRun(**simulation, std::move(take), {scene.output.fps, scene.output.duration});
   return runAndReport(**simulation, recording, stopwatch,

@@ -1,7 +1,13 @@
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <span>
+#include <stdexcept>
+#include <thread>
 
 #include <ImfRgbaFile.h>
 #include <catch2/catch.hpp>
@@ -12,6 +18,7 @@
 #include "ui/picture/ground_pattern.h"
 #include "ui/picture/image.h"
 #include "ui/picture/picture.h"
+#include "ui/picture/radiance_file.h"
 
 namespace {
 
@@ -140,6 +147,75 @@ TEST_CASE("what is no image of the environment is told by file and reason, and w
     }
   }
   for (const auto& file : {path, exr, png}) std::filesystem::remove(file);
+}
+
+/// A row of Radiance's new kind: each share by itself, in runs.
+std::string runsOf(int width, const std::string& row) {
+  std::string bytes = "\x02\x02";
+  bytes += static_cast<char>(width / 256);
+  bytes += static_cast<char>(width % 256);
+  for (std::size_t share = 0; share < 4; ++share) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width);) {
+      std::size_t same = 1;
+      while (x + same < static_cast<std::size_t>(width) && same < 127 &&
+             row[4 * (x + same) + share] == row[4 * x + share])
+        ++same;
+      bytes += same > 2 ? static_cast<char>(128 + same) : '\x01';
+      bytes += row[4 * x + share];
+      x += same > 2 ? same : 1;
+    }
+  }
+  return bytes;
+}
+
+TEST_CASE("Radiance images in runs of each share are read to the same numbers as plain ones") {
+  const std::string plain = hdrBytes(kWidth, kHeight);
+  const std::size_t head = plain.size() - 4U * kWidth * kHeight;
+  std::string runs = plain.substr(0, head);
+  for (int y = 0; y < kHeight; ++y)
+    runs += runsOf(kWidth, plain.substr(head + 4U * kWidth * static_cast<std::size_t>(y), 4U * kWidth));
+  const auto bytesOfText = [](const std::string& text) { return std::as_bytes(std::span(text)); };
+  const auto one = ui::readRadiance(bytesOfText(plain));
+  const auto other = ui::readRadiance(bytesOfText(runs));
+  REQUIRE(one);
+  REQUIRE(other);
+  REQUIRE(one->pixels.size() == other->pixels.size());
+  for (std::size_t i = 0; i < one->pixels.size(); ++i) CHECK((one->pixels[i] == other->pixels[i]).all());
+  for (std::size_t length = 0; length < runs.size(); ++length)
+    CHECK_FALSE(ui::readRadiance(bytesOfText(runs.substr(0, length))));
+  // The oldest kind repeats whole pixels.
+  const std::string repeated =
+      std::string("#?RADIANCE\n\n-Y 1 +X 8\n\x10\x20\x30\x80", 28) + "\x01\x01\x01\x07";
+  const auto old = ui::readRadiance(bytesOfText(repeated));
+  REQUIRE(old);
+  CHECK((old->pixels.back() == old->pixels.front()).all());
+}
+
+TEST_CASE("a reader that is slow, fails or is no longer wanted does nothing to the program, and is told of") {
+  const modeling::ReadingLimits limits{.seconds = 1};
+  const std::filesystem::path path = "slow.hdr";
+  const auto sleeps = []() -> sim::Result<EnvironmentImage> {
+    std::this_thread::sleep_for(std::chrono::hours(1));
+    return sim::Problem{};
+  };
+  const auto computes = []() -> sim::Result<EnvironmentImage> {
+    for (std::atomic<std::uint64_t> n = 0;; ++n) {
+    }
+  };
+  const auto fails = []() -> sim::Result<EnvironmentImage> { std::abort(); };
+  const auto throws = []() -> sim::Result<EnvironmentImage> { throw std::runtime_error("no"); };
+  const auto start = std::chrono::steady_clock::now();
+  const auto told = [&](const ui::EnvironmentReader& reader, const std::function<bool()>& keepGoing = {}) {
+    const auto image = ui::readEnvironmentBy(reader, path, keepGoing, limits);
+    return image.ok() ? "" : image.problem().line();
+  };
+  CHECK_THAT(told(sleeps), Catch::Contains("slow.hdr: reading this image took more than 1 seconds"));
+  CHECK_THAT(told(computes), Catch::Contains("took more than 1 seconds"));
+  CHECK_THAT(told(fails), Catch::Contains("the reader of this kind of image itself failed"));
+  CHECK_THAT(told(throws), Catch::Contains("itself failed"));
+  int looks = 0;
+  CHECK_THAT(told(sleeps, [&] { return ++looks < 3; }), Catch::Contains("given up"));
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
 }
 
 /// Dark, with a small lamp.

@@ -1,6 +1,7 @@
 #include "ui/document/document.h"
 
 #include "modeling/scene/scene_file.h"
+#include "modeling/scene/scene_ranges.h"
 #include "ui/document/edit_command.h"
 
 namespace ui {
@@ -39,6 +40,7 @@ QString Document::title() const {
 void Document::edit(const QString& name, const Change& change, const QString& gesture) {
   modeling::Scene after = scene_;
   change(after);
+  modeling::keepNumbersInRange(after);
   // Commands merge with the one before by the gesture's name: another gesture of the same name, begun later,
   // must not.
   static int gestures = 0;

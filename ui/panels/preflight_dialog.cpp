@@ -25,6 +25,12 @@ QString colouredBy(const QColor& colour) {
   return QStringLiteral("color: %1;").arg(colour.name());
 }
 
+QString sentence(const std::string& text) {
+  QString words = QString::fromStdString(text);
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words + u'.';
+}
+
 }  // namespace
 
 QString roughTime(double seconds) {
@@ -50,6 +56,7 @@ PreflightDialog::PreflightDialog(Session& session, QWidget* parent) : QDialog(pa
   column->setSpacing(12);
   verdict_ = new QLabel(this);
   verdict_->setWordWrap(true);
+  verdict_->setTextFormat(Qt::PlainText);  // it holds names
   QFont font = verdict_->font();
   font.setPointSizeF(font.pointSizeF() + 2.0);
   font.setWeight(QFont::DemiBold);
@@ -170,11 +177,14 @@ void PreflightDialog::showFlight(const modeling::Preflight& flight) {
   memory_->setText(roughSize(static_cast<double>(flight.memoryBytes)));
   take_->setText(tr("about %1").arg(roughSize(flight.takeBytes)));
   breaking_->setText(flight.brokenAtRestCount == 0 ? tr("none") : QString::number(flight.brokenAtRestCount));
-  const bool wrong = flight.brokenAtRestCount > 0 || flight.step > flight.stableStep;
+  const bool wrong =
+      flight.brokenAtRestCount > 0 || !flight.overlaps.empty() || flight.step > flight.stableStep;
   const bool slow = flight.wallSeconds > kLongRun;
   verdict_->setStyleSheet(colouredBy(wrong ? colours.bad : slow ? colours.warning : colours.good));
   if (flight.step > flight.stableStep)
     verdict_->setText(tr("The step is too long to be stable: set it to auto."));
+  else if (!flight.overlaps.empty())
+    verdict_->setText(sentence(flight.overlaps.front().text()));
   else if (wrong)
     verdict_->setText(
         tr("Something breaks before it moves: raise the threshold, or let parts meet without strain."));

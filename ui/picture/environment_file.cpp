@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -12,12 +11,8 @@
 #include <ImfRgbaFile.h>
 #include <png.h>
 
-// Of the many formats it knows, only Radiance's is let in.
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_HDR
-#define STBI_MAX_DIMENSIONS 8192
-#include <stb/stb_image.h>
+#include "modeling/import/reading_apart.h"
+#include "ui/picture/radiance_file.h"
 
 namespace ui {
 
@@ -25,6 +20,9 @@ namespace {
 
 /// Brighter than the sun's disc in any image of the sky, and far from what floats overflow at.
 constexpr float kBrightest = 1e6F;
+
+/// Bytes: four a pixel of the largest image, runs that gain nothing, and a long head.
+constexpr std::size_t kLongestHdr = 5UL * kMostEnvironmentPixels + 65536;
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -79,41 +77,22 @@ sim::Result<EnvironmentImage> readExr(const std::filesystem::path& path) {
   }
 }
 
-/// What stb_image reads from; it takes zeros where there is nothing more.
-struct HdrSource {
-  std::FILE* file;
-  bool ranOut = false;
-
-  static int read(void* user, char* data, int size) {
-    auto& source = *static_cast<HdrSource*>(user);
-    const auto got = std::fread(data, 1, static_cast<std::size_t>(size), source.file);
-    if (got == 0) source.ranOut = true;
-    return static_cast<int>(got);
-  }
-  static void skip(void* user, int count) {
-    std::fseek(static_cast<HdrSource*>(user)->file, count, SEEK_CUR);
-  }
-  static int atEnd(void* user) { return std::feof(static_cast<HdrSource*>(user)->file); }
-};
-
 sim::Result<EnvironmentImage> readHdr(std::FILE* file) {
-  const stbi_io_callbacks calls{HdrSource::read, HdrSource::skip, HdrSource::atEnd};
-  HdrSource source{file};
-  int width = 0, height = 0, channels = 0;
-  if (stbi_info_from_callbacks(&calls, &source, &width, &height, &channels) == 0)
-    return damaged("Radiance image");
-  if (auto problem = wrongSize(width, height)) return *problem;
-  std::rewind(file);
-  source.ranOut = false;
-  const std::unique_ptr<float, void (*)(void*)> numbers(
-      stbi_loadf_from_callbacks(&calls, &source, &width, &height, &channels, 3), stbi_image_free);
-  if (!numbers || source.ranOut) return damaged("Radiance image");
-  EnvironmentImage image = blank(width, height);
-  const float* number = numbers.get();
-  for (Light& pixel : image.pixels) {
-    for (int channel = 0; channel < 3; ++channel) pixel[channel] = cleaned(*number++);
+  std::vector<std::byte> bytes;
+  std::array<std::byte, 65536> piece;
+  while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), file)) {
+    bytes.insert(bytes.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(got));
+    if (bytes.size() > kLongestHdr)
+      return sim::Problem{"", "this Radiance image is too large", "scale it down"};
   }
-  return image;
+  const auto size = radianceSize(bytes);
+  if (!size) return damaged("Radiance image");
+  if (auto problem = wrongSize(size->width, size->height)) return *problem;
+  auto image = readRadiance(bytes);
+  if (!image) return damaged("Radiance image");
+  for (Light& pixel : image->pixels)
+    for (float& channel : pixel) channel = cleaned(channel);
+  return std::move(*image);
 }
 
 sim::Result<EnvironmentImage> readPng(std::FILE* file) {
@@ -157,14 +136,84 @@ sim::Result<EnvironmentImage> readByFirstBytes(const std::filesystem::path& path
                       "give an OpenEXR, Radiance .hdr or PNG file"};
 }
 
+/// What the reading process answers: an image, or why there is none.
+sim::ByteWriter packed(const sim::Result<EnvironmentImage>& image) {
+  sim::ByteWriter answer;
+  answer.put<std::uint8_t>(image ? 1 : 0);
+  if (!image) {
+    answer.putString(image.problem().what);
+    answer.putString(image.problem().remedy);
+    return answer;
+  }
+  answer.put(image->width);
+  answer.put(image->height);
+  std::vector<std::array<float, 3>> numbers;
+  numbers.reserve(image->pixels.size());
+  for (const Light& pixel : image->pixels) numbers.push_back({pixel[0], pixel[1], pixel[2]});
+  answer.putVector(numbers);
+  return answer;
+}
+
+sim::Result<EnvironmentImage> unpacked(const std::vector<std::byte>& bytes) {
+  sim::ByteReader answer(bytes);
+  std::uint8_t good = 0;
+  answer.read(good);
+  if (good == 0) {
+    sim::Problem problem;
+    answer.readString(problem.what);
+    answer.readString(problem.remedy);
+    return answer.finished() ? problem : damaged("image");
+  }
+  EnvironmentImage image;
+  std::vector<std::array<float, 3>> numbers;
+  answer.read(image.width);
+  answer.read(image.height);
+  answer.readVector(numbers);
+  const auto expected = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (!answer.finished() || numbers.size() != expected) return damaged("image");
+  image.pixels.reserve(expected);
+  for (const auto& number : numbers) image.pixels.emplace_back(number[0], number[1], number[2]);
+  return image;
+}
+
+sim::Problem problemOf(modeling::ReadingEnd end, unsigned seconds) {
+  const char* const again = "open it in an image editor and save it again";
+  switch (end) {
+    case modeling::ReadingEnd::tooLong:
+      return {"",
+              "reading this image took more than " + std::to_string(seconds) + " seconds, and was given up",
+              again};
+    case modeling::ReadingEnd::givenUp:
+      return {"", "reading this image was given up", ""};
+    case modeling::ReadingEnd::notNow:
+      return {"", "this image cannot be read now", "try again"};
+    case modeling::ReadingEnd::answered:
+    case modeling::ReadingEnd::failed:
+      break;
+  }
+  return {"", "the reader of this kind of image itself failed at it", again};
+}
+
 }  // namespace
 
-sim::Result<EnvironmentImage> readEnvironment(const std::filesystem::path& path) {
-  auto image = readByFirstBytes(path);
+sim::Result<EnvironmentImage> readEnvironmentBy(const EnvironmentReader& reader,
+                                                const std::filesystem::path& path,
+                                                const std::function<bool()>& keepGoing,
+                                                const modeling::ReadingLimits& limits) {
+  const modeling::ReadingAnswer answer =
+      modeling::readApart([&] { return packed(reader()); }, limits, keepGoing);
+  auto image = answer.end == modeling::ReadingEnd::answered
+                   ? unpacked(answer.bytes)
+                   : sim::Result<EnvironmentImage>(problemOf(answer.end, limits.seconds));
   if (image) return image;
   sim::Problem problem = image.problem();
   problem.place = path.string();
   return problem;
+}
+
+sim::Result<EnvironmentImage> readEnvironment(const std::filesystem::path& path,
+                                              const std::function<bool()>& keepGoing) {
+  return readEnvironmentBy([&] { return readByFirstBytes(path); }, path, keepGoing, {});
 }
 
 }  // namespace ui

@@ -16,8 +16,10 @@ class EnvironmentMap {
   static sim::Result<std::shared_ptr<const EnvironmentMap>> create(EnvironmentImage image, double strength,
                                                                    double turn);
   /// Reads what `light` names, `folder` being where it is looked for. Null where it names nothing.
+  /// `keepGoing` as of readEnvironment().
   static sim::Result<std::shared_ptr<const EnvironmentMap>> load(const modeling::EnvironmentLight& light,
-                                                                 const std::filesystem::path& folder);
+                                                                 const std::filesystem::path& folder,
+                                                                 const std::function<bool()>& keepGoing = {});
 
   /// From a unit direction.
   Light radiance(const Vec3f& direction) const;

@@ -39,9 +39,11 @@ struct PictureChoices {
 class TakePictures {
  public:
   /// Pictures of frames [first, last], which all have one camera: the scene's view, or one that sees all of
-  /// them. A Problem when a frame or the image of the environment cannot be read.
+  /// them. A Problem when a frame or the image of the environment cannot be read. Reading that image is given
+  /// up where `keepGoing` says no.
   static sim::Result<TakePictures> create(PictureFrames frames, std::size_t first, std::size_t last,
-                                          double aspect, const PictureChoices& choices = {});
+                                          double aspect, const PictureChoices& choices = {},
+                                          const std::function<bool()>& keepGoing = {});
 
   sim::Result<PictureScene> sceneOf(std::size_t frame);
 

@@ -21,7 +21,8 @@ class Drawing {
 
   sim::Status drawAll() {
     const double aspect = static_cast<double>(order_.settings.width) / std::max(1, order_.settings.height);
-    auto pictures = TakePictures::create(order_.frames, order_.first, order_.last, aspect, order_.choices);
+    auto pictures = TakePictures::create(order_.frames, order_.first, order_.last, aspect, order_.choices,
+                                         [this] { return !job_.cancelled(); });
     if (!pictures) return pictures.problem();
     if (isVideoPath(order_.out)) return drawVideo(*pictures);
     return drawFrames(*pictures, order_.out);
