@@ -112,7 +112,7 @@ Json overlapsJson(const std::vector<modeling::Overlap>& overlaps) {
                         {overlap.obstacle ? "obstacle" : "other_part", overlap.other},
                         {"depth_cm", overlap.depth},
                         {"near_cm", vectorJson(overlap.where)},
-                        {"way_out_cm", vectorJson(overlap.depth * overlap.wayOut)}});
+                        {"way_out_cm", vectorJson(overlap.wayOut)}});
   }
   return list;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <unordered_map>
@@ -56,22 +57,27 @@ void noteObstacles(const sim::Network& network, const sim::Snapshot& start,
     const sim::MovingCollider there = sim::colliderAt(environment.colliders[c], c, tracks, start.time).at;
     if (!there.active) continue;
     const Eigen::AlignedBox3d box = sim::boxOf(there.shape);
+    const auto* surface = std::get_if<sim::SurfaceShape>(&there.shape.shape);
+    const double margin = surface != nullptr ? surface->halfThickness : 0.0;
     std::uint32_t near = sim::kNone;
     for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
       const Vec3& at = start.positions[node];
       if (!std::isfinite(network.masses[node])) continue;
-      if (!there.shape.isFloor() && box.exteriorDistance(at) > 0.0) continue;
+      if (!there.shape.isFloor() && box.exteriorDistance(at) > margin) continue;
       const sim::Intrusion found = sim::intrusion(there.shape, at, near);
       near = found.nearest;
       if (found.depth > kTouchesObstacle * static_cast<double>(network.radii[node]))
-        deepest.note({partOf(network, node), there.shape.name, true, found.depth, at, found.normal});
+        deepest.note(
+            {partOf(network, node), there.shape.name, true, found.depth, at, found.depth * found.normal});
     }
   }
 }
 
-/// A body, and what is looked at of it.
+/// A part of a body, and what is looked at of it. By itself its cells have a closed outside, which those of a
+/// body of several lattices need not have.
 struct Body {
-  sim::FragmentId id = sim::kNone;
+  sim::FragmentId fragment = sim::kNone;
+  sim::PartIndex part = 0;
   Eigen::AlignedBox3d box;
   std::vector<sim::CellIndex> cells;
   std::vector<NodeIndex> nodes;
@@ -79,19 +85,30 @@ struct Body {
 };
 
 std::vector<Body> bodiesOf(const sim::Network& network, const sim::Snapshot& start) {
-  std::vector<Body> bodies(start.fragments.size());
-  std::unordered_map<sim::FragmentId, std::size_t> known;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    bodies[i].id = start.fragments[i].id;
-    bodies[i].box = {start.fragments[i].boxMin, start.fragments[i].boxMax};
-    known[bodies[i].id] = i;
-  }
-  const auto bodyOf = [&](NodeIndex node) -> Body& {
-    return bodies[known.at(start.broken->fragmentOfNode[node])];
+  std::vector<Body> bodies;
+  std::map<std::pair<sim::FragmentId, sim::PartIndex>, std::size_t> known;
+  const auto bodyOf = [&](NodeIndex node, sim::PartIndex part) -> Body& {
+    const sim::FragmentId fragment = start.broken->fragmentOfNode[node];
+    const auto [found, fresh] = known.try_emplace({fragment, part}, bodies.size());
+    if (fresh) bodies.push_back({fragment, part, {}, {}, {}, nullptr});
+    return bodies[found->second];
   };
-  for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell)
-    bodyOf(network.cells[cell][0]).cells.push_back(cell);
-  for (NodeIndex node = 0; node < network.nodeCount(); ++node) bodyOf(node).nodes.push_back(node);
+  for (sim::CellIndex cell = 0; cell < network.cellCount(); ++cell) {
+    // Corners that were glued are of the part they were glued to.
+    std::array<sim::PartIndex, 8> parts{};
+    std::ranges::transform(network.cells[cell], parts.begin(),
+                           [&](NodeIndex node) { return network.nodeParts[node]; });
+    const auto own = std::ranges::max_element(
+        parts, {}, [&](sim::PartIndex part) { return std::ranges::count(parts, part); });
+    Body& body = bodyOf(network.cells[cell][0], *own);
+    body.cells.push_back(cell);
+    for (const NodeIndex corner : network.cells[cell]) body.box.extend(start.positions[corner]);
+  }
+  for (NodeIndex node = 0; node < network.nodeCount(); ++node) {
+    Body& body = bodyOf(node, network.nodeParts[node]);
+    body.nodes.push_back(node);
+    body.box.extend(start.positions[node]);
+  }
   return bodies;
 }
 
@@ -149,27 +166,29 @@ class PairOfBodies {
     if (!outer.outside) outer.outside = outsideOf(outer, network_, positions_);
     if (outer.outside->triangles().empty()) return;
     std::uint32_t near = sim::kNone;
-    for (const auto& [at, node] : points) near = look(at, node, outer, near);
+    for (const auto& [at, node] : points) near = look(at, node, inner, outer, near);
   }
 
  private:
-  std::uint32_t look(const Vec3& at, NodeIndex node, const Body& outer, std::uint32_t near) {
+  std::uint32_t look(const Vec3& at, NodeIndex node, const Body& inner, const Body& outer,
+                     std::uint32_t near) {
     const sim::TriangleMesh::Nearest nearest = outer.outside->nearest(at, near);
     const bool inside = nearest.normal.dot(at - nearest.point) < 0.0;
     if (inside && nearest.distance > kTouchesPart * static_cast<double>(network_.radii[node])) {
-      deepest_.note({partOf(network_, node), partNear(outer, nearest.point), false, nearest.distance, at,
-                     nearest.normal});
+      deepest_.note({network_.partNames[inner.part], network_.partNames[outer.part], false, nearest.distance,
+                     at, apart(inner.box, outer.box)});
     }
     return nearest.triangle;
   }
 
-  /// Of the body's parts, the one whose node is nearest.
-  const std::string& partNear(const Body& body, const Vec3& point) const {
-    if (network_.nodeParts[body.nodes.front()] == network_.nodeParts[body.nodes.back()])
-      return partOf(network_, body.nodes.front());
-    const auto nearest = std::ranges::min_element(
-        body.nodes, {}, [&](NodeIndex node) { return (positions_[node] - point).squaredNorm(); });
-    return partOf(network_, *nearest);
+  /// cm: the shortest way along an axis that parts the boxes.
+  static Vec3 apart(const Eigen::AlignedBox3d& inner, const Eigen::AlignedBox3d& outer) {
+    Vec3 shortest = Vec3::Constant(std::numeric_limits<double>::infinity());
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      for (const double way : {outer.max()[axis] - inner.min()[axis], outer.min()[axis] - inner.max()[axis]})
+        if (std::abs(way) < shortest.norm()) shortest = way * Vec3::Unit(axis);
+    }
+    return shortest;
   }
 
   const sim::Network& network_;
@@ -185,7 +204,7 @@ void noteBodies(const sim::Network& network, const sim::Snapshot& start, Deepest
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < bodies.size() && bodies[b].box.min().x() <= bodies[a].box.max().x();
          ++b) {
-      if (!bodies[a].box.intersects(bodies[b].box)) continue;
+      if (bodies[a].fragment == bodies[b].fragment || !bodies[a].box.intersects(bodies[b].box)) continue;
       pair.compare(bodies[a], bodies[b]);
       pair.compare(bodies[b], bodies[a]);
     }
@@ -220,7 +239,7 @@ std::string Overlap::text() const {
         << (obstacle ? "obstacle " : "part ") << inQuotes(other) << ", near ";
   vector(where);
   words << " cm, and is pushed out of it at once; move it by ";
-  vector(depth * wayOut);
+  vector(wayOut);
   words << (obstacle ? " cm" : " cm, or glue the two");
   return words.str();
 }

@@ -14,7 +14,7 @@ struct Overlap {
   bool obstacle = false;                 ///< the other is an obstacle
   double depth = 0.0;                    ///< cm: of the deepest point of the part
   sim::Vec3 where = sim::Vec3::Zero();   ///< that point, cm
-  sim::Vec3 wayOut = sim::Vec3::Zero();  ///< unit: the shortest way out from there
+  sim::Vec3 wayOut = sim::Vec3::Zero();  ///< cm: out of the obstacle from there; away from the other part
 
   /// In a sentence, with the remedy.
   std::string text() const;

@@ -49,7 +49,7 @@ TEST_CASE("a part that begins below the floor is told of, with how deep and the 
     CHECK(found[0].other == "floor");
     CHECK(found[0].obstacle);
     CHECK(found[0].depth == Approx(depth));
-    CHECK((found[0].wayOut - sim::Vec3::UnitZ()).norm() < 1e-12);
+    CHECK((found[0].wayOut - depth * sim::Vec3::UnitZ()).norm() < 1e-9);
     CHECK_THAT(found[0].text(), Catch::Contains("move it by (0, 0, "));
   }
 }
@@ -104,6 +104,9 @@ TEST_CASE("two parts in one place are told of, once") {
   const auto half = overlapsOf(sceneOf(slab("a", "[0, 0, 0]") + "," + slab("b", "[0, 0, 0.7]")));
   REQUIRE(half.size() == 1);
   CHECK(half[0].depth == Approx(0.3));
+  // Moved so they are apart, and touch.
+  CHECK(half[0].wayOut.norm() == Approx(0.3));
+  CHECK(same[0].wayOut.norm() == Approx(1.0));
 }
 
 TEST_CASE("a thing inside another is told of, however fine its cells") {

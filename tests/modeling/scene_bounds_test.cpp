@@ -127,7 +127,6 @@ std::string triedOut(const std::string& text) {
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   INFO(answer);
   CHECK(seconds < 20.0);
-  if (seconds > 0.5) WARN(seconds << " s: " << text << answer);
   return answer;
 }
 
@@ -224,9 +223,9 @@ TEST_CASE(
   CHECK(answerOf(tests::kPlainScene, {"output.fps=0"}) ==
         "--set output.fps:1:1: fps holds 0; give a number from 0.001 to 1e+06");
   const std::string track =
-      R"("tracks": [{"target": "stiffness.scale", "keys": [[0, 1], [1, 1e9]]}], "parts")";
+      R"("tracks": [{"target": "stiffness.scale", "keys": [[0, 1], [1, 1e7]]}], "parts")";
   CHECK(answerOf(tests::replaced(tests::kPlainScene, "\"parts\"", track)) ==
-        "s:4:74: keys holds 1e+09; give a number from 0 to 1e+06");
+        "s:4:74: keys holds 1e+07; give a number from 0 to 1e+06");
 
   Scene scene = sceneOf(kPartKinds[0], kColliderKinds[0]);
   scene.parts[0].worldFromPart.position.x() = 1e300;

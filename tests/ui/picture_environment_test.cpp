@@ -185,7 +185,7 @@ TEST_CASE("Radiance images in runs of each share are read to the same numbers as
     CHECK_FALSE(ui::readRadiance(bytesOfText(runs.substr(0, length))));
   // The oldest kind repeats whole pixels.
   const std::string repeated =
-      std::string("#?RADIANCE\n\n-Y 1 +X 8\n\x10\x20\x30\x80", 28) + "\x01\x01\x01\x07";
+      std::string("#?RADIANCE\n\n-Y 1 +X 8\n\x10\x20\x30\x80", 27) + "\x01\x01\x01\x07";
   const auto old = ui::readRadiance(bytesOfText(repeated));
   REQUIRE(old);
   CHECK((old->pixels.back() == old->pixels.front()).all());
