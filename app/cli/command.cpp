@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <iostream>
 
+#include "modeling/text/printable.h"
+
 namespace app {
 
 ExitStatus complain(const sim::Problem& problem, ExitStatus status) {
   std::string line = problem.line();
   std::replace(line.begin(), line.end(), '\n', ' ');
-  std::cerr << line << '\n';
+  std::cerr << modeling::printable(line) << '\n';
   return status;
 }
 
@@ -22,7 +24,7 @@ Option forceOption(bool& force) {
 }
 
 void tell(const std::vector<sim::Problem>& notes) {
-  for (const sim::Problem& note : notes) std::cerr << "note: " << note.line() << '\n';
+  for (const sim::Problem& note : notes) std::cerr << "note: " << modeling::printable(note.line()) << '\n';
 }
 
 }  // namespace app

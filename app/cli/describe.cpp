@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "app/cli/command.h"
+#include "app/cli/progress.h"
 #include "app/cli/waiting.h"
 #include "modeling/import/lammps_data.h"
 #include "modeling/preflight/preflight.h"
@@ -127,7 +128,7 @@ Json preflightJson(const modeling::Preflight& flight) {
           {"stable_step_limited_by", nameOf(flight.stableStepLimit)},
           {"step_s", flight.step},
           {"steps", flight.steps},
-          {"memory_bytes", flight.memoryBytes},
+          {"memory_bytes", flight.peakMemoryBytes},
           {"expected_wall_s", flight.wallSeconds},
           {"expected_wall_s_per_s", flight.wallSecondsPerSecond},
           {"expected_take_bytes", flight.takeBytes},
@@ -160,12 +161,17 @@ sim::Result<Json> describeScene(const std::filesystem::path& file) {
   info["duration_s"] = scene->scene.output.duration;
   info["parts"] = partsJson(built->parts);
   info["glue"] = glueJson(built->glue);
+  info["warnings"] = Json::Array();  // its place; what is found below stands in it, too
   const sim::Result<modeling::Preflight> flight = modeling::preflight(scene->scene, *built);
   if (!flight) return scene->located(flight.problem());
+  info["preflight"] = preflightJson(*flight);
   std::vector<std::string> warnings = built->warnings;
   for (const modeling::Overlap& overlap : flight->overlaps) warnings.push_back(modeling::sentence(overlap));
+  if (flight->wallSeconds > kVeryLong) {
+    warnings.push_back("the run would take about " + roughTime(flight->wallSeconds) +
+                       " on this machine; larger cells, a softer material or a shorter run are quicker");
+  }
   info["warnings"] = warnings;
-  info["preflight"] = preflightJson(*flight);
   return info;
 }
 

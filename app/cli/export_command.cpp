@@ -9,6 +9,7 @@
 #include "modeling/exchange/export.h"
 #include "modeling/exchange/take_scene.h"
 #include "modeling/scene/scene_files.h"
+#include "modeling/text/printable.h"
 
 namespace app {
 
@@ -39,7 +40,7 @@ sim::Status write(const modeling::ExportFormat& format, const sim::TakeReader& t
     return true;
   };
   std::string remarks;
-  const auto remark = [&](const std::string& text) { remarks += text + "\n"; };
+  const auto remark = [&](const std::string& text) { remarks += modeling::printable(text) + "\n"; };
   auto status = format.write(take, {.path = options.out,
                                     .firstFrame = range.first,
                                     .lastFrame = range.last,

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
 #include "app/cli/commands.h"
 #include "app/cli/describe.h"
+#include "modeling/text/printable.h"
 
 namespace app {
 namespace {
@@ -16,14 +18,14 @@ struct InfoOptions {
 constexpr int kLabelWidth = 26;
 
 std::string plainText(const Json& value) {
-  if (const auto* const words = value.get<std::string>()) return *words;
+  if (const auto* const words = value.get<std::string>()) return modeling::printable(*words);
   if (const auto* const number = value.get<double>()) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.6g", *number);
     return digits;
   }
   const auto* const items = value.get<Json::Array>();
-  if (items == nullptr) return dumped(value);
+  if (items == nullptr) return modeling::printable(dumped(value));
   std::string text;
   for (const Json& item : *items) text += (text.empty() ? "" : "  ") + plainText(item);
   return text;
@@ -33,7 +35,8 @@ std::string plainText(const Json& value) {
 void print(const Json::Object& object, int indent) {
   for (const auto& [key, value] : object) {
     std::string label(static_cast<std::size_t>(indent), ' ');
-    for (const char letter : key) label += letter == '_' ? ' ' : letter;
+    label += modeling::printable(key);
+    std::replace(label.begin(), label.end(), '_', ' ');
     const auto* const inner = value.get<Json::Object>();
     const auto* const items = value.get<Json::Array>();
     if (inner != nullptr) {

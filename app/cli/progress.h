@@ -14,8 +14,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// share in [0, 1]. Shown at most ten times a second.
+  /// share in [0, 1]. Shown at most ten times a second, so that it may be told as often as one likes.
   void show(double share, const std::string& detail = "");
+  /// A call of show() now would be seen.
+  bool isDue() const;
+  /// s since it began, by the clock on the wall.
+  double elapsed() const;
+  /// Of a thing of which nobody knows how long it takes.
+  void begin();
 
  private:
   std::string what_;
@@ -23,5 +29,11 @@ class Progress {
   double start_;
   double lastShown_ = 0.0;
 };
+
+/// s: nobody starts on purpose what takes longer.
+inline constexpr double kVeryLong = 86400.0;
+
+/// "40 s", "3 min", "2.5 h", "12 days".
+std::string roughTime(double seconds);
 
 }  // namespace app

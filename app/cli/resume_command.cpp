@@ -159,7 +159,8 @@ ExitStatus resume(const ResumeOptions& options) {
   if (!simulation) return complain(simulation.problem());
   if (from->frame) {
     if (const sim::Status status = (*simulation)->restore(from->checkpoint); !status)
-      return complain(status.problem());
+      return complain(
+          {options.take, "its last checkpoint: " + status.problem().what, status.problem().remedy});
   }
   // Last, because it cuts off what stands behind the checkpoint.
   auto take = from->frame ? sim::TakeWriter::continueAfter(options.take, *from->frame)

@@ -1,5 +1,6 @@
 #include "app/cli/running.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/cli/progress.h"
@@ -16,6 +17,36 @@ std::string progressText(const sim::Simulation& simulation, double until) {
   return text;
 }
 
+/// s: from then on it is known how long the rest takes, roughly.
+constexpr double kJudgedAfter = 2.0;
+
+/// Says how far the run is, within its frames too, and once if it will take very long.
+class Watch {
+ public:
+  Watch(double start, double until) : start_(start), until_(until) {}
+
+  void look(const sim::Simulation& now) {
+    const double share = (now.time() - start_) / (until_ - start_);
+    if (progress_.isDue()) progress_.show(share, progressText(now, until_));
+    const double elapsed = progress_.elapsed();
+    if (judged_ || elapsed < kJudgedAfter) return;
+    const double whole = elapsed / std::max(share, 1e-300);
+    judged_ = true;
+    if (whole > kVeryLong) warn(whole);
+  }
+
+ private:
+  static void warn(double seconds) {
+    tell({{"",
+           "at this pace the run takes " + roughTime(seconds) + "; it can be stopped and resumed at any time",
+           "larger cells, a softer material or a shorter run (--until) are quicker"}});
+  }
+
+  Progress progress_{"simulating"};
+  double start_, until_;  ///< s
+  bool judged_ = false;
+};
+
 }  // namespace
 
 sim::Status checkReportFile(const std::string& file) {
@@ -28,11 +59,8 @@ ExitStatus runAndReport(const sim::Simulation& simulation, modeling::Recording& 
   const double until = recording.plan().until;
   sim::Status ran = sim::Done{};
   {
-    Progress progress("simulating");
-    ran = recording.run([&](const sim::Simulation& now) {
-      const double share = (now.time() - start) / (until - start);
-      progress.show(share, progressText(now, until));
-    });
+    Watch watch(start, until);
+    ran = recording.run([&](const sim::Simulation& now) { watch.look(now); });
   }
   const std::string outcome = ran ? "done" : ran.problem().line();
   const auto report = reportOf({simulation, recording, stopwatch, options.method, options.threads, outcome});

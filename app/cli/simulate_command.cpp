@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/cli/running.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/waiting.h"
@@ -10,6 +11,7 @@
 #include "modeling/preflight/overlaps.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_files.h"
+#include "modeling/text/printable.h"
 #include "sim/take/take.h"
 
 namespace app {
@@ -39,11 +41,15 @@ ExitStatus simulate(const SimulateOptions& options) {
   if (!file) return complain(file.problem());
   const modeling::Scene& scene = file->scene;
   if (const sim::Status safe = checkOutputs(options, scene); !safe) return complain(safe.problem());
-  sim::Result<modeling::BuiltScene> built = modeling::build(
-      scene, std::filesystem::path(options.scene.scene).parent_path(), Waiting().attendance());
+  sim::Result<modeling::BuiltScene> built = [&] {
+    Progress progress("building");
+    progress.begin();
+    return modeling::build(scene, std::filesystem::path(options.scene.scene).parent_path(),
+                           Waiting().attendance());
+  }();
   if (!built) return complain(file->located(built.problem()));
   for (const modeling::Overlap& overlap : modeling::findOverlaps(*built))
-    std::cerr << "warning: " << modeling::sentence(overlap) << '\n';
+    std::cerr << "warning: " << modeling::printable(modeling::sentence(overlap)) << '\n';
 
   modeling::Conditions& conditions = built->conditions;
   conditions.settings.threads = options.threads;
@@ -58,7 +64,8 @@ ExitStatus simulate(const SimulateOptions& options) {
     if (!created) return complain(created.problem());
     take = std::move(created).value();
   }
-  for (const std::string& warning : built->warnings) std::cout << "note          " << warning << '\n';
+  for (const std::string& warning : built->warnings)
+    std::cout << "note          " << modeling::printable(warning) << '\n';
   auto recording =
       modeling::Recording::ofNewRun(**simulation, std::move(take), {scene.output.fps, scene.output.duration});
   return runAndReport(**simulation, recording, stopwatch,

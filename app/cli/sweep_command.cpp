@@ -14,6 +14,7 @@
 #include "modeling/files/output_guard.h"
 #include "modeling/scene/scene_file.h"
 #include "modeling/scene/scene_files.h"
+#include "modeling/text/printable.h"
 #include "modeling/text/text_output.h"
 
 namespace app {
@@ -99,21 +100,32 @@ void beginLog(const ChildProcess& process) {
   static_cast<void>(modeling::replaceFile(process.log, head + "\n"));
 }
 
-void runAll(const SweepOptions& options, const SweepGrid& grid) {
+/// The signal that ended it early, or 0.
+int runAll(const SweepOptions& options, const SweepGrid& grid) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t threads = std::max<std::size_t>(1, cores / options.jobs);
   std::vector<ChildProcess> processes;
   for (std::size_t run = 0; run < grid.runs(); ++run) {
     if (options.only && *options.only != run) continue;
+    // What an earlier sweep left would be taken for this one's.
+    std::error_code error;
+    fs::remove(SweepFiles(options.out, run).report, error);
     processes.push_back(
         {simulateWords(options, grid, run, threads), SweepFiles(options.out, run).log.string()});
   }
   for (const ChildProcess& process : processes) beginLog(process);
   Progress progress("sweep");
   std::size_t ended = 0;
-  runChildProcesses(processes, options.jobs, [&](std::size_t, int) {
+  const int signal = runChildProcesses(processes, options.jobs, [&](std::size_t, int) {
     progress.show(static_cast<double>(++ended) / static_cast<double>(processes.size()));
   });
+  if (signal != 0) {
+    tell({{"",
+           "the sweep was stopped; " + std::to_string(ended) + " of " + std::to_string(processes.size()) +
+               " runs had ended, and what they left stays",
+           "--collect makes the table and the pictures of them"}});
+  }
+  return signal;
 }
 
 std::string inShellQuotes(const std::string& word) {
@@ -154,15 +166,20 @@ ExitStatus sweep(const SweepOptions& options) {
   if (options.slurm) {
     const auto written = writeSlurm(options, *grid);
     if (!written) return complain(written.problem());
-    std::cout << "runs          " << grid->runs() << "\nscript        " << options.out << "/sweep.slurm\n";
+    std::cout << "runs          " << grid->runs() << "\nscript        " << modeling::printable(options.out)
+              << "/sweep.slurm\n";
     return ExitStatus::done;
   }
-  if (!options.collect) runAll(options, *grid);
+  if (const int signal = options.collect ? 0 : runAll(options, *grid); signal != 0) {
+    endBySignal(signal);
+    return ExitStatus::failed;
+  }
   if (options.only) return ExitStatus::done;
   const auto failed = collectResults(*grid, options.out);
   if (!failed) return complain(failed.problem());
+  const std::string folder = modeling::printable(options.out);
   std::cout << "runs          " << grid->runs() << ", " << *failed << " of them failed\ntable         "
-            << options.out << "/sweep.csv, sweep.json\npictures      " << options.out << "/sweep.png\n";
+            << folder << "/sweep.csv, sweep.json\npictures      " << folder << "/sweep.png\n";
   return *failed == 0 ? ExitStatus::done : ExitStatus::failed;
 }
 

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "modeling/preflight/step_count.h"
 #include "modeling/shapes/quality.h"
+#include "sim/base/process_memory.h"
 #include "sim/network/wedge.h"
 #include "sim/take/frame_times.h"
 
@@ -101,19 +103,25 @@ sim::Result<Preflight> preflight(const Scene& scene, const BuiltScene& built, in
   auto simulation =
       sim::Simulation::create(built.network, built.conditions.environment, built.conditions.tracks, settings);
   if (!simulation) return simulation.problem();
+  if (keepGoing && !keepGoing()) return kStopped;
   found.components = (*simulation)->snapshot().fragments.size();
-  found.memoryBytes = (*simulation)->memoryBytes();
   found.stableStep = (*simulation)->step();
   found.stableStepLimit = (*simulation)->stepLimit();
   found.step = scene.solver.step.seconds.value_or(found.stableStep);
-  found.stepsPerSecond = 1.0 / found.step;
-  found.steps = std::ceil(scene.output.duration / found.step);
+  found.steps = scene.solver.step.seconds ? std::ceil(scene.output.duration / found.step)
+                                          : expectedSteps(**simulation, built.conditions.environment,
+                                                          built.conditions.tracks, scene.output.duration);
+  found.stepsPerSecond = scene.output.duration > 0.0 ? found.steps / scene.output.duration : 1.0 / found.step;
   found.frames = std::floor(std::min(scene.output.duration * scene.output.fps, found.steps)) + 1.0;
   const std::optional<double> wallSecondsPerStep = measureStep(**simulation, keepGoing);
   if (!wallSecondsPerStep) return kStopped;
   found.wallSecondsPerSecond = found.stepsPerSecond * *wallSecondsPerStep;
   found.wallSeconds = found.steps * *wallSecondsPerStep;
   estimateTake(**simulation, found);
+  // What the system counts, since what is asked of it is more than what is used: containers have room to
+  // grow, and what was freed stays with the program.
+  found.memoryBytes = std::max(sim::residentMemory(), (*simulation)->memoryBytes());
+  found.peakMemoryBytes = std::max(sim::peakMemory(), found.memoryBytes);
   return found;
 }
 

@@ -32,7 +32,9 @@ struct Preflight {
   std::size_t bonds = 0;
   std::size_t cells = 0;
   std::size_t components = 0;
-  std::size_t memoryBytes = 0;
+  std::size_t memoryBytes = 0;  ///< of the whole program as it is now, with a simulation that runs
+  std::size_t peakMemoryBytes =
+      0;  ///< the most it has had so far: building takes more than running, for a moment
 
   double stableStep = 0.0;  ///< s: what the automatic step would be at the start
   double step = 0.0;        ///< s: the one the scene takes

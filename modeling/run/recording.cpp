@@ -108,10 +108,11 @@ sim::Status Recording::advanceToEnd(const std::function<void(const sim::Simulati
   if (!recordedStep_) {
     if (const auto recorded = record(); !recorded) return recorded.problem();
   }
+  std::function<void()> afterStep;
+  if (watcher) afterStep = [&] { watcher(simulation_); };
   while (!hasEnded()) {
-    if (const sim::Status status = simulation_.advanceTo(nextFrameTime()); !status) return status;
+    if (const sim::Status status = simulation_.advanceTo(nextFrameTime(), afterStep); !status) return status;
     if (const auto recorded = record(); !recorded) return recorded.problem();
-    if (watcher) watcher(simulation_);
   }
   return sim::Done{};
 }

@@ -73,7 +73,7 @@ class Recording {
   /// Ends the take with the Problem that stopped the run.
   sim::Status fail(const sim::Problem& problem);
 
-  /// Advances to the end, records and finishes. `watcher` is called after each frame but the first. The
+  /// Advances to the end, records and finishes. `watcher` is called after each step and has to be quick. The
   /// Problem is what stopped the run, a blow-up or a take that cannot be written; the take then ends with its
   /// words.
   sim::Status run(const std::function<void(const sim::Simulation&)>& watcher);

@@ -9,6 +9,7 @@
 #include "modeling/shapes/mesh_lattice.h"
 #include "modeling/shapes/quality.h"
 #include "modeling/shapes/resolution.h"
+#include "modeling/text/dimension.h"
 #include "modeling/text/spelling.h"
 
 namespace modeling {
@@ -71,6 +72,10 @@ void spin(const Vec3& angularVelocity, AssemblyPart& part) {
     part.looseVelocities[i] += angularVelocity.cross(part.lattice.nodes[i] - centre);
   }
 }
+
+/// No node may be farther from the origin on any axis, cm: there, neighbours of a micrometre are still told
+/// apart.
+constexpr double kFarthest = 2.0 * reachOf(Dimension::length);
 
 /// Below this share of a mesh's volume, walls must have been lost.
 constexpr double kMostOfIt = 0.95;
@@ -139,8 +144,7 @@ class PartBuilder {
     if (!lattice) return within(index, lattice.problem());
     made.lattice = std::move(lattice).value();
     made.material = materialIndex(scene_.parts[index].material);
-    place(index, made);
-    return sim::Done{};
+    return place(index, made);
   }
 
   sim::Status shapeInto(const MeshShape& shape, std::size_t index, AssemblyPart& made) {
@@ -156,8 +160,7 @@ class PartBuilder {
     built_.remarks.push_back(remarkOn(made.name, shape, fit));
     made.lattice = std::move(lattice).value();
     made.material = materialIndex(scene_.parts[index].material);
-    place(index, made);
-    return sim::Done{};
+    return place(index, made);
   }
 
   sim::Status shapeInto(const NetworkShape& shape, std::size_t index, AssemblyPart& made) {
@@ -171,7 +174,7 @@ class PartBuilder {
     made.lattice.nodes = std::move(data->positions);
     made.looseMasses = std::move(data->masses);
     if (!data->velocities.empty()) made.looseVelocities = std::move(data->velocities);
-    place(index, made);
+    if (const sim::Status placed = place(index, made); !placed) return placed;
     return addBonds(shape, index, file.string(), data->bonds, made);
   }
 
@@ -200,13 +203,21 @@ class PartBuilder {
     return sim::Done{};
   }
 
-  void place(std::size_t index, AssemblyPart& made) {
+  sim::Status place(std::size_t index, AssemblyPart& made) {
     const Part& part = scene_.parts[index];
     made.held = heldNodes(part.hold, made.lattice.nodes);
     const Eigen::Affine3d worldFromPart = part.worldFromPart.worldFromPart();
     for (Vec3& node : made.lattice.nodes) node = worldFromPart * node;
     const Eigen::Quaterniond turn = part.worldFromPart.rotation.quaternion();
     for (Vec3& velocity : made.looseVelocities) velocity = turn * velocity;
+    const auto isFar = [](const Vec3& node) { return !(node.cwiseAbs().maxCoeff() <= kFarthest); };
+    if (std::any_of(made.lattice.nodes.begin(), made.lattice.nodes.end(), isFar)) {
+      return Problem{placeOf(index) + ".worldFromPart",
+                     inQuotes(part.name) + " reaches farther than " +
+                         std::to_string(static_cast<int>(kFarthest)) + " cm from the middle of the world",
+                     "scale it down, or put it nearer"};
+    }
+    return sim::Done{};
   }
 
   std::size_t materialIndex(const std::string& name) const {

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "modeling/scene/scene.h"
+#include "modeling/scene/scene_ranges.h"
 #include "modeling/text/spelling.h"
 
 namespace modeling {
@@ -129,6 +130,7 @@ MaybeProblem firstProblem(const Scene& scene) {
   const Names materials = namesOf(scene.materials);
   const Names parts = namesOf(scene.parts);
   const Names colliders = namesOf(scene.environment.colliders);
+  if (auto problem = numberOutOfRange(scene)) return problem;
   if (auto problem = checkNames("materials", materials)) return problem;
   if (auto problem = checkNames("parts", parts)) return problem;
   if (auto problem = checkNames("environment.colliders", colliders)) return problem;

@@ -25,8 +25,10 @@ namespace {
 using Points = std::vector<Vec3>;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-constexpr Rule kPoints{"points", "Corners, cm.", true, {}, false};
-constexpr Rule kTriangles{"triangles", "Numbers of three points each, from 0.", true, {}, false};
+constexpr Rule kPoints{
+    "points", "Corners, cm.", true, {-reachOf(Dimension::length), reachOf(Dimension::length)}, false};
+constexpr Rule kTriangles{
+    "triangles", "Numbers of three points each, from 0.", true, {0.0, 4294967295.0}, false};
 
 }  // namespace
 

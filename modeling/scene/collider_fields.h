@@ -15,18 +15,15 @@ struct Fields<BoxShape> {
   static constexpr auto list() {
     return std::tuple{field("halfSize", &BoxShape::halfSize, "Half size", "Half the edges along x, y and z.")
                           .required()
-                          .in(Dimension::length, 0.5)
-                          .above(0)};
+                          .size(0.5)};
   }
 };
 
 template <>
 struct Fields<SphereShape> {
   static constexpr auto list() {
-    return std::tuple{field("radius", &SphereShape::radius, "Radius", "Radius of the sphere.")
-                          .required()
-                          .in(Dimension::length, 0.2)
-                          .above(0)};
+    return std::tuple{
+        field("radius", &SphereShape::radius, "Radius", "Radius of the sphere.").required().size(0.2)};
   }
 };
 
@@ -34,14 +31,10 @@ template <>
 struct Fields<CylinderShape> {
   static constexpr auto list() {
     using T = CylinderShape;
-    return std::tuple{field("radius", &T::radius, "Radius", "Radius of the cylinder.")
-                          .required()
-                          .in(Dimension::length, 0.2)
-                          .above(0),
+    return std::tuple{field("radius", &T::radius, "Radius", "Radius of the cylinder.").required().size(0.2),
                       field("halfHeight", &T::halfHeight, "Half height", "Half its height along its z.")
                           .required()
-                          .in(Dimension::length, 0.2)
-                          .above(0)};
+                          .size(0.2)};
   }
 };
 
@@ -62,8 +55,7 @@ struct Fields<MeshObstacle> {
             .where(hasFile),
         field("thickness", &T::thickness, "Thickness",
               "Thickness of a sheet, which an open mesh is; not read of a closed one.")
-            .in(Dimension::length, 0.05)
-            .above(0),
+            .size(0.05),
         field(
             "surface", &T::surface, "Surface",
             "The triangles themselves, in place of the file's: points in cm, and triangles of three numbers "
@@ -86,13 +78,13 @@ struct Fields<SceneCollider> {
             .in(Dimension::stiffness, 1e5)
             .logarithmic()
             .absent("the node's own")
-            .above(0),
+            .atLeast(1e-9),
         field("dampingRatio", &T::dampingRatio, "Damping", "Damping relative to critical.")
             .step(0.05)
-            .atLeast(0),
+            .between(0, 100),
         field("friction", &T::friction, "Friction", "Lateral force relative to the push.")
             .step(0.05)
-            .atLeast(0),
+            .between(0, 100),
         field("visible", &T::visible, "Drawn", "Whether it is drawn; it pushes either way."),
         field("active", &T::active, "Active",
               "From when until when, the end excluded, it is there at all; null: always.")

@@ -24,6 +24,28 @@ struct OptionalOf<std::optional<T>> : std::true_type {
   using Value = T;
 };
 
+/// Made of numbers alone, all of them within one range.
+template <class T>
+inline constexpr bool kNumeric = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
+template <>
+inline constexpr bool kNumeric<Rotation> = true;
+template <>
+inline constexpr bool kNumeric<Scale> = true;
+template <>
+inline constexpr bool kNumeric<Step> = true;
+template <>
+inline constexpr bool kNumeric<SceneTrackKey> = true;
+template <>
+inline constexpr bool kNumeric<Box> = true;
+template <int kCount>
+inline constexpr bool kNumeric<Eigen::Matrix<double, kCount, 1>> = true;
+template <class T>
+inline constexpr bool kNumeric<std::optional<T>> = kNumeric<T> && !HasFields<T>;
+template <class T>
+inline constexpr bool kNumeric<std::vector<T>> = kNumeric<T>;
+template <class T, std::size_t kCount>
+inline constexpr bool kNumeric<std::array<T, kCount>> = kNumeric<T>;
+
 template <class Choice>
 const std::vector<ChoiceInfo>& choicesOf() {
   static const std::vector<ChoiceInfo> choices = [] {
@@ -91,7 +113,8 @@ std::vector<FieldInfo> infosOf() {
   const auto list = Fields<Owner>::list();
   [&]<std::size_t... kField>(std::index_sequence<kField...>) {
     (infos.push_back({std::get<kField>(list).rule, std::get<kField>(list).display,
-                      Accessor<Owner, kField>::access(), Accessor<Owner, kField>::counts, &kStandard}),
+                      Accessor<Owner, kField>::access(), kNumeric<typename Accessor<Owner, kField>::Value>,
+                      Accessor<Owner, kField>::counts, &kStandard}),
      ...);
   }
   (std::make_index_sequence<std::tuple_size_v<decltype(list)>>());

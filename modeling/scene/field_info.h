@@ -58,6 +58,7 @@ struct FieldInfo {
   Rule rule;
   Display display;
   FieldAccess access;
+  bool numeric;                       ///< it is a number or made of numbers, each within rule.range
   bool (*counts)(const void* owner);  ///< whether the value is looked at, given the owner's other values
   const void* standard;               ///< an owner with the values that are not given
 };

@@ -15,8 +15,8 @@ struct Fields<Look> {
         field("inside", &T::inside, "Where broken", "Colour that breaking bares, sRGB.").atLeast(0).atMost(1),
         field("glaze", &T::glaze, "Glaze", "Strength of the glossy coat, from matt to glossy.")
             .step(0.05)
-            .atLeast(0)
-            .atMost(1),
+            .between(0, 1)
+            .gauge(),
         field(
             "finish", &T::finish, "In pictures",
             "What light does at the surface in pictures: glazed: a clear coat over the colour; glass: clear "
@@ -32,11 +32,11 @@ struct Fields<ThresholdSpec> {
                           .in(Dimension::share, 0.005)
                           .logarithmic()
                           .absent("none")
-                          .above(0)
+                          .atLeast(1e-9)
                           .where([](const T& threshold) { return threshold.mean.has_value(); }),
                       field("spread", &T::spread, "Spread", "Standard deviation relative to the mean.")
                           .in(Dimension::share, 0.02)
-                          .atLeast(0)};
+                          .between(0, 10)};
   }
 };
 
@@ -49,12 +49,12 @@ struct Fields<Plastic> {
             .required()
             .in(Dimension::share, 0.001)
             .logarithmic()
-            .above(0),
+            .atLeast(1e-9),
         field("rate", &T::rate, "Rate", "Share of the excess strain that flows a second.")
             .required()
             .in(Dimension::rate, 1.0)
             .logarithmic()
-            .above(0)};
+            .atLeast(1e-6)};
   }
 };
 
@@ -68,27 +68,27 @@ struct Fields<Material> {
               "Young's modulus E (1 GPa = 1e10): porcelain 70 GPa, rubber 1.5 MPa, jelly 4 kPa.")
             .in(Dimension::pressure, 1e7)
             .logarithmic()
-            .above(0),
+            .atLeast(1),
         field("density", &T::density, "Density", "Mass of a cubic centimetre.")
             .in(Dimension::density, 0.1)
-            .above(0),
+            .atLeast(1e-6),
         field("lossFactor", &T::lossFactor, "Loss factor",
               "Twice the damping ratio at the lattice's highest frequency.")
             .step(0.02)
-            .atLeast(0),
+            .between(0, 10),
         field("threshold", &T::threshold, "Breaking", "At which strain bonds break."),
         field("strength", &T::strength, "Strength", "Tensile strength, in place of threshold.mean.")
             .in(Dimension::pressure, 1e6)
             .logarithmic()
             .absent("none")
-            .above(0)
+            .atLeast(1)
             .where([](const T& material) { return material.strength.has_value(); }),
         field("fractureToughness", &T::fractureToughness, "Toughness",
               "Fracture toughness K_IC, in place of threshold.mean.")
             .in(Dimension::toughness, 1e7)
             .logarithmic()
             .absent("none")
-            .above(0)
+            .atLeast(1)
             .where([](const T& material) { return material.fractureToughness.has_value(); }),
         field("plastic", &T::plastic, "Staying Bent", "Plastic flow: what is bent far enough stays bent.")
             .present("Flows beyond a strain")

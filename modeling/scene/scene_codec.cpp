@@ -2,15 +2,10 @@
 
 #include <charconv>
 
+#include "modeling/scene/scene_ranges.h"
 #include "modeling/text/spelling.h"
 
 namespace modeling {
-namespace {
-
-constexpr Rule kTolerance{"tolerance", "Error of strain a shortest swing.", true, {0.0, 1.0, true}, false};
-
-}  // namespace
-
 bool Codec<Rotation>::read(JsonReader& reader, const JsonValue& value, Rotation& out, const Rule& rule) {
   if (value.array() != nullptr && value.array()->size() == 4) {
     Eigen::Vector4d quaternion = Eigen::Vector4d::Zero();
@@ -74,7 +69,7 @@ bool Codec<Step>::read(JsonReader& reader, const JsonValue& value, Step& out, co
   if (value.object() != nullptr) {
     if (!reader.checkObject(value, rule, {"tolerance"})) return false;
     const JsonValue* tolerance = value.find("tolerance");
-    return tolerance != nullptr ? reader.readNumber(*tolerance, out.tolerance.emplace(), kTolerance)
+    return tolerance != nullptr ? reader.readNumber(*tolerance, out.tolerance.emplace(), kToleranceRule)
                                 : reader.failMissing(value, "tolerance");
   }
   if (value.text() == nullptr) return reader.readNumber(value, out.seconds.emplace(), rule);
@@ -88,7 +83,7 @@ Json Codec<Step>::write(const Step& value, const Step&, const Rule&) {
 
 Json Codec<Step>::schema(const Rule& rule) {
   Json tolerant = objectSchema();
-  tolerant["properties"]["tolerance"] = numberSchema("number", kTolerance);
+  tolerant["properties"]["tolerance"] = numberSchema("number", kToleranceRule);
   tolerant["required"] = {"tolerance"};
   return {{"anyOf", {{{"const", "auto"}}, numberSchema("number", rule), tolerant}}};
 }
@@ -114,9 +109,11 @@ Json Codec<TargetName>::schema(const Rule&) {
   return typeSchema("string");
 }
 
+// What the value may be depends on what it drives, which the track knows (keyRange).
 bool Codec<SceneTrackKey>::read(JsonReader& reader, const JsonValue& value, SceneTrackKey& out,
                                 const Rule& rule) {
-  if (!reader.checkList(value, rule, 2, 2) || !reader.readNumber((*value.array())[0], out.time, rule))
+  const Rule ofTime{rule.key, {}, true, keyTimeRange(), false};
+  if (!reader.checkList(value, rule, 2, 2) || !reader.readNumber((*value.array())[0], out.time, ofTime))
     return false;
   const JsonValue& driven = (*value.array())[1];
   if (driven.array() == nullptr) {
@@ -142,8 +139,9 @@ Json Codec<SceneTrackKey>::write(const SceneTrackKey& value, const SceneTrackKey
 }
 
 Json Codec<SceneTrackKey>::schema(const Rule& rule) {
+  const Json time = numberSchema("number", {rule.key, {}, true, keyTimeRange(), false});
   const Json number = numberSchema("number", rule);
-  const Json items = Json::array({number, anyOfSchema(number, Codec<Vec3>::schema(rule))});
+  const Json items = Json::array({time, anyOfSchema(number, Codec<Vec3>::schema(rule))});
   return {{"type", "array"}, {"items", items}, {"minItems", 2}, {"maxItems", 2}};
 }
 

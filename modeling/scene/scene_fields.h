@@ -11,6 +11,12 @@
 /// the schema, in the tables of docs/formats.md and in the forms of the window (docs/how-to/add-a-field.md).
 namespace modeling {
 
+/// More nodes than this no scene has (modeling/shapes/resolution.h).
+inline constexpr double kMostNodes = static_cast<double>(kMaxLatticeNodes);
+
+/// No track takes more than this (keyRange, which knows what is driven).
+inline constexpr double kMostOfKey = reachOf(Dimension::acceleration);
+
 template <>
 struct Fields<Placement> {
   static constexpr auto list() {
@@ -20,7 +26,7 @@ struct Fields<Placement> {
         field("rotation", &T::rotation, "Rotation",
               "Angles about the fixed axes x, then y, then z; or a quaternion [w, x, y, z].")
             .in(Dimension::degrees, 5.0),
-        field("scale", &T::scale, "Scale", "One factor, or one an axis.").step(0.05).above(0)};
+        field("scale", &T::scale, "Scale", "One factor, or one an axis.").step(0.05).between(1e-6, 1e6)};
   }
 };
 
@@ -63,8 +69,9 @@ struct Fields<Gluing> {
             .atLeast(0),
         field("pairs", &T::pairs, "Pairs",
               "Where given, exactly these pairs of a node of a and one of b are glued, counted from 0 within "
-              "the parts."),
-        field("exclude", &T::exclude, "Taken out", "Nodes of a that stay free."),
+              "the parts.")
+            .between(0, kMostNodes),
+        field("exclude", &T::exclude, "Taken out", "Nodes of a that stay free.").between(0, kMostNodes),
         field("region", &T::region, "Only Within",
               "Box in coordinates of part a: only its nodes inside are glued.")
             .present("Limited to a box")
@@ -93,7 +100,10 @@ struct Fields<SceneTrack> {
             "collider.NAME.position or collider.NAME.rotation (a rotation vector in degrees). Scales of one "
             "target multiply; of several gravity tracks the last one that has begun counts.")
             .required(),
-        field("keys", &T::keys, "Keys", "Pairs of time in seconds and value, in order of time.").required(),
+        field("keys", &T::keys, "Keys", "Pairs of time in seconds and value, in order of time.")
+            .required()
+            .in(Dimension::number, 0.1)
+            .between(-kMostOfKey, kMostOfKey),
         field("interpolation", &T::interpolation, "Between keys",
               "step holds a key's value until the next; smooth eases at both.")};
   }
@@ -110,13 +120,13 @@ struct Fields<Contact> {
               "Natural length of a contact: nearest is safe where things break."),
         field("stiffnessScale", &T::stiffnessScale, "Stiffness", "Stiffness relative to the weaker node's.")
             .step(0.05)
-            .above(0),
+            .between(1e-6, 1e6),
         field("dampingRatio", &T::dampingRatio, "Damping", "Damping relative to critical.")
             .step(0.05)
-            .atLeast(0),
+            .between(0, 100),
         field("friction", &T::friction, "Friction", "Lateral force relative to the push.")
             .step(0.05)
-            .atLeast(0)};
+            .between(0, 100)};
   }
 };
 
@@ -154,17 +164,18 @@ struct Fields<Solver> {
             .in(Dimension::time, 1e-6)
             .logarithmic()
             .absent("auto")
-            .above(0),
+            .between(1e-12, 1),
         field("safety", &T::safety, "Safety", "Share of the largest stable step.")
             .step(0.05)
-            .above(0)
-            .atMost(0.9),
+            .between(1e-4, 0.9)
+            .gauge(),
         field("contact", &T::contact, "Contact", "What happens between nodes that touch."),
         field("skip", &T::skip, "Leave Out What Is Not Needed",
               "What may be left out where a scene does not need it; false: the same is computed in full, to "
               "compare."),
         field("seed", &T::seed, "Seed",
-              "Seed of the random thresholds: with another one things break otherwise.")};
+              "Seed of the random thresholds: with another one things break otherwise.")
+            .between(0, 0x1p64)};
   }
 };
 
@@ -172,11 +183,12 @@ template <>
 struct Fields<Output> {
   static constexpr auto list() {
     using T = Output;
-    return std::tuple{
-        field("fps", &T::fps, "Frame rate", "Frames recorded a second.").in(Dimension::rate, 1.0).above(0),
-        field("duration", &T::duration, "Duration", "How long it is simulated.")
-            .in(Dimension::time, 0.1)
-            .atLeast(0)};
+    return std::tuple{field("fps", &T::fps, "Frame rate", "Frames recorded a second.")
+                          .in(Dimension::rate, 1.0)
+                          .between(1e-3, 1e6),
+                      field("duration", &T::duration, "Duration", "How long it is simulated.")
+                          .in(Dimension::time, 0.1)
+                          .atLeast(0)};
   }
 };
 

@@ -14,14 +14,11 @@ struct Fields<Resolution> {
   static constexpr auto list() {
     using T = Resolution;
     return std::tuple{
-        field("cellSize", &T::cellSize, "Cell size", "Target edge of a cell.")
-            .in(Dimension::length, 0.05)
-            .above(0),
+        field("cellSize", &T::cellSize, "Cell size", "Target edge of a cell.").size(0.05),
         field("counts", &T::counts, "Cells",
               "Cells along the shape's u, v and w; null: as many as make them nearest to cellSize.")
             .absent("auto")
-            .atLeast(1)
-            .atMost(1e6)};
+            .between(1, 1e6)};
   }
 };
 
@@ -29,10 +26,7 @@ template <>
 struct Fields<SlabShape> {
   static constexpr auto list() {
     using T = SlabShape;
-    return std::tuple{field("size", &T::size, "Size", "Extent along x, y and z.")
-                          .required()
-                          .in(Dimension::length, 0.2)
-                          .above(0),
+    return std::tuple{field("size", &T::size, "Size", "Extent along x, y and z.").required().size(0.2),
                       field("resolution", &T::resolution, "Cells", "How finely it is divided.")};
   }
 };
@@ -52,8 +46,8 @@ struct Fields<BezierPatchShape> {
             .absent("none"),
         field("thickness", &T::thickness, "Thickness",
               "Thickness of the wall; not read where oppositeNet is given.")
-            .in(Dimension::length, 0.05)
-            .above(0)
+            .size(0.05)
+
             .where(hasOneNet),
         field("side", &T::side, "Wall lies", "Where the wall lies as seen along the net's normal.")
             .where(hasOneNet),
@@ -77,8 +71,8 @@ struct Fields<RevolutionShape> {
         field("startAngle", &T::startAngle, "Starts at", "Where the turn starts, from x towards y.").angle(),
         field("turnAngle", &T::turnAngle, "Turn", "How far it turns; 360 is a full turn.")
             .angle()
-            .above(0)
-            .atMost(360),
+            .between(1e-3, 360)
+            .gauge(),
         field("resolution", &T::resolution, "Cells", "How finely it is divided.")};
   }
 };
@@ -106,15 +100,14 @@ struct Fields<CurvedCylinderShape> {
         field("section", &T::section, "Section", "What is swept along the curve."),
         field("halfWidth", &T::halfWidth, "Half width",
               "Along the first axis: a number, or four a segment; not read where there are two rails.")
-            .in(Dimension::length, 0.05)
-            .above(0)
+            .size(0.05)
+
             .where(hasCentreLine),
         field("halfDepth", &T::halfDepth, "Half depth", "Along the second axis: a number, or four a segment.")
-            .in(Dimension::length, 0.05)
-            .above(0),
+            .size(0.05),
         field("wallThickness", &T::wallThickness, "Wall", "Thickness of the wall of a ring or an arc.")
-            .in(Dimension::length, 0.05)
-            .above(0)
+            .size(0.05)
+
             .where(isHollow),
         field("startAngle", &T::startAngle, "Arc from",
               "Where an arc starts, from the first axis towards the second.")
@@ -134,11 +127,10 @@ struct Fields<BondType> {
             .required()
             .in(Dimension::stiffness, 100.0)
             .logarithmic()
-            .above(0),
+            .atLeast(1e-9),
         field("restLength", &T::restLength, "Length at rest", "Length l at rest.")
-            .in(Dimension::length, 0.05)
-            .absent("as in the file")
-            .above(0),
+            .size(0.05)
+            .absent("as in the file"),
         field("damping", &T::damping, "Damping", "Strength d of the damper.")
             .in(Dimension::damping, 0.1)
             .logarithmic()
@@ -146,7 +138,7 @@ struct Fields<BondType> {
         field("threshold", &T::threshold, "Breaks at", "Relative stretch at which a bond breaks.")
             .in(Dimension::share, 0.01)
             .absent("never")
-            .above(0)};
+            .between(1e-9, 1e9)};
   }
 };
 
@@ -175,7 +167,7 @@ struct Fields<MeshShape> {
         field("unit", &T::unit, "Unit",
               "What a length of 1 in the file is; guess: by the format, or by its size."),
         field("up", &T::up, "Up axis", "Which axis of the file points up; guess: by the format."),
-        field("cellSize", &T::cellSize, "Cell size", "Edge of a cell.").in(Dimension::length, 0.05).above(0)};
+        field("cellSize", &T::cellSize, "Cell size", "Edge of a cell.").size(0.05)};
   }
 };
 

@@ -7,12 +7,16 @@
 #include <utility>
 
 #include "modeling/scene/build.h"
+#include "modeling/text/dimension.h"
 #include "sim/control/driven.h"
 
 namespace modeling {
 namespace {
 
 using sim::TrackTarget;
+
+/// Of gravity, stiffness and damping.
+constexpr double kMostScale = 1e6;
 
 /// The track's values as they are written, driving nothing.
 sim::Track writtenValues(const SceneTrack& track) {
@@ -94,7 +98,21 @@ std::size_t componentsOf(const TargetName& target) {
 }
 
 double leastOf(const TargetName& target) {
-  return sim::scalesMaterial(target.target) ? 0.0 : -std::numeric_limits<double>::infinity();
+  return sim::scalesMaterial(target.target) ? 0.0 : -mostOf(target);
+}
+
+double mostOf(const TargetName& target) {
+  switch (unitOf(target)) {
+    case TrackUnit::acceleration:
+      return reachOf(Dimension::acceleration);
+    case TrackUnit::length:
+      return reachOf(Dimension::length);
+    case TrackUnit::degrees:
+      return reachOf(Dimension::degrees);
+    case TrackUnit::factor:
+      return kMostScale;
+  }
+  return kMostScale;
 }
 
 Vec3 asVector(const TrackValue& value) {

@@ -21,6 +21,8 @@ TrackUnit unitOf(const TargetName& target);
 std::size_t componentsOf(const TargetName& target);
 /// The least that a component may be: stiffness and damping are never below 0.
 double leastOf(const TargetName& target);
+/// The largest.
+double mostOf(const TargetName& target);
 /// A scalar becomes x.
 Vec3 asVector(const TrackValue& value);
 /// The target's kind of value: x alone for scalars.

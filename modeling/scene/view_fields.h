@@ -6,6 +6,9 @@
 /// The fields of how a scene is looked at.
 namespace modeling {
 
+/// Ten times as far as things may be, cm.
+inline constexpr double kFarthestLook = 10.0 * reachOf(Dimension::length);
+
 template <>
 struct Fields<Camera> {
   static constexpr auto list() {
@@ -13,22 +16,24 @@ struct Fields<Camera> {
     return std::tuple{
         field("position", &T::position, "Position", "Where the eye is.")
             .required()
-            .in(Dimension::length, 1.0),
+            .in(Dimension::length, 1.0)
+            .between(-kFarthestLook, kFarthestLook),
         field("target", &T::target, "Looks at", "What is in the middle of the picture.")
             .required()
-            .in(Dimension::length, 1.0),
+            .in(Dimension::length, 1.0)
+            .between(-kFarthestLook, kFarthestLook),
         field("fieldOfView", &T::fieldOfView, "Field of view", "Vertical angle.")
             .in(Dimension::degrees, 1.0)
-            .above(0)
-            .atMost(170),
+            .between(0.1, 170)
+            .gauge(),
         field("aperture", &T::aperture, "Aperture",
               "Diameter of the lens: what is not in focus is blurred in pictures; 0: all is sharp.")
             .in(Dimension::length, 0.1)
-            .atLeast(0),
+            .between(0, 1e4),
         field("focus", &T::focus, "Focus", "Distance at which pictures are sharp.")
             .in(Dimension::length, 1.0)
             .absent("the target's")
-            .above(0)};
+            .between(1e-3, kFarthestLook)};
   }
 };
 
@@ -61,7 +66,7 @@ struct Fields<Ground> {
             .where(hasPattern),
         field("size", &T::size, "Size", "Edge of a square, width of a plank.")
             .in(Dimension::length, 0.5)
-            .above(0)
+            .atLeast(1e-3)
             .where(hasPattern)};
   }
 };
@@ -97,7 +102,7 @@ struct Fields<EnvironmentLight> {
             .file("*.exr *.hdr *.png"),
         field("strength", &T::strength, "Strength", "Factor of its light.")
             .step(0.1)
-            .above(0)
+            .between(1e-6, 1e6)
             .where(hasImage),
         field("turn", &T::turn, "Turn",
               "Turn about the vertical; 0: the middle of the image lies towards +y.")

@@ -1,7 +1,9 @@
 #include "modeling/shapes/cell_counts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace modeling {
@@ -26,6 +28,13 @@ sim::Result<int> countGiven(int count, std::size_t axis, int multiple, int least
 
 }  // namespace
 
+std::string roughCount(double count) {
+  if (count < 1e6) return std::to_string(static_cast<int>(count));
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g million", count / 1e6);
+  return text.data();
+}
+
 sim::Result<int> cellsAlong(const Resolution& resolution, std::size_t axis, double length, int multiple,
                             int least) {
   if (resolution.counts[axis]) return countGiven(*resolution.counts[axis], axis, multiple, least);
@@ -35,15 +44,16 @@ sim::Result<int> cellsAlong(const Resolution& resolution, std::size_t axis, doub
                         "use for example 0.5"};
   const double cells = length / size;
   if (!(cells < static_cast<double>(kMaxLatticeNodes)))
-    return sim::Problem{"resolution.cellSize", "cells this small are too many", "use larger cells"};
+    return sim::Problem{"resolution.cellSize", "that would be " + roughCount(cells) + " cells along one axis",
+                        "use larger cells"};
   return std::max(least, static_cast<int>(std::lround(cells / multiple)) * multiple);
 }
 
 std::optional<sim::Problem> checkNodeCount(double nodes) {
   if (nodes <= static_cast<double>(kMaxLatticeNodes)) return std::nullopt;
   return sim::Problem{"resolution",
-                      "the shape would have " + std::to_string(static_cast<long long>(nodes)) +
-                          " nodes; at most " + std::to_string(kMaxLatticeNodes) + " can be held",
+                      "the shape would have " + roughCount(nodes) + " nodes; at most " +
+                          std::to_string(kMaxLatticeNodes) + " can be held",
                       "use larger cells or smaller counts"};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "modeling/shapes/resolution.h"
 #include "sim/base/result.h"
@@ -13,6 +14,9 @@ namespace modeling {
 /// `least`: the smallest count that makes sense (itself such a multiple).
 sim::Result<int> cellsAlong(const Resolution& resolution, std::size_t axis, double length, int multiple = 1,
                             int least = 1);
+
+/// "12000", "3.5 million".
+std::string roughCount(double count);
 
 /// A Problem where a lattice would have more than kMaxLatticeNodes.
 std::optional<sim::Problem> checkNodeCount(double nodes);

@@ -188,6 +188,10 @@ sim::Result<Lattice> build(const CurvedCylinderShape& shape) {
   if (!path) return path.problem();
   const auto along = cellsAlong(shape.resolution, 0, path->length());
   if (!along) return along.problem();
+  // No section has fewer nodes. Told before the sections are placed, which takes long where there are
+  // millions.
+  constexpr double kLeastSection = 4.0;
+  if (auto problem = checkNodeCount(kLeastSection * (*along + 1.0))) return *problem;
   const auto stations = path->stations(*along);
   if (!stations) return stations.problem();
   if (auto problem = checkWall(shape, *stations)) return *problem;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeling/shapes/cell_counts.h"
 #include "modeling/shapes/resolution.h"
 #include "sim/collider/triangle_mesh.h"
 
@@ -199,7 +200,9 @@ sim::Result<CellGrid> cellsOf(const sim::TriangleMesh& mesh, double cellSize) {
     const double along = std::max(1.0, std::ceil(box.diagonal()[axis] / cellSize - 1e-9)) + 4.0;
     cells *= along;
     if (!(cells < kMostGridCells)) {
-      return sim::Problem{"cellSize", "so small cells would be too many to fill this mesh with",
+      const Vec3 counts = box.diagonal() / cellSize;
+      return sim::Problem{"cellSize",
+                          "the box of this mesh would hold " + roughCount(counts.prod()) + " cells so small",
                           "use larger cells"};
     }
     grid.count[static_cast<std::size_t>(axis)] = static_cast<int>(along);

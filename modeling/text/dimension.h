@@ -61,4 +61,43 @@ constexpr std::string_view unitInFile(Dimension dimension) {
   return "";
 }
 
+/// The largest magnitude, in the unit of files, that a number of the dimension may have where its field does
+/// not say otherwise. Far beyond what anybody builds (10 km, 100 km/s, ten times the stiffness of diamond),
+/// and near enough that products of a few of them are still numbers.
+constexpr double reachOf(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::number:
+      return 1e9;
+    case Dimension::share:
+      return 1e3;
+    case Dimension::length:
+    case Dimension::time:
+    case Dimension::angularVelocity:
+      return 1e6;
+    case Dimension::rate:
+      return 1e9;
+    case Dimension::velocity:
+      return 1e7;
+    case Dimension::acceleration:
+      return 1e8;
+    case Dimension::angle:
+    case Dimension::degrees:
+      return 36000.0;
+    case Dimension::density:
+      return 1e3;
+    case Dimension::mass:
+      return 1e12;
+    case Dimension::pressure:
+    case Dimension::toughness:
+    case Dimension::damping:
+      return 1e15;
+    case Dimension::stiffness:
+      return 1e18;
+  }
+  return 1e9;
+}
+
+/// The smallest length of anything that has one: a hundredth of a micrometre, cm.
+inline constexpr double kSmallestLength = 1e-6;
+
 }  // namespace modeling

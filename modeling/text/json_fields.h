@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <numbers>
 #include <string_view>
 #include <tuple>
@@ -12,11 +11,14 @@
 /// window (scene/field_info.h). A field that is added to the list appears in all of them.
 namespace modeling {
 
-/// What a number may be; for vectors, each of their numbers.
+/// What a number may be; for vectors, each of their numbers. Every number has bounds: what is far beyond
+/// anything that can be built would only fail somewhere else, and later.
 struct NumberRange {
-  double least = -std::numeric_limits<double>::max();
-  double most = std::numeric_limits<double>::max();
-  bool leastExcluded = false;
+  double least = -reachOf(Dimension::number);
+  double most = reachOf(Dimension::number);
+
+  /// What is no number is in no range.
+  constexpr bool holds(double number) const { return number >= least && number <= most; }
 };
 
 /// How a value is to be read: what to call it in messages, and what it may be.
@@ -34,6 +36,7 @@ struct Display {
   Dimension dimension = Dimension::number;
   double step = 0.1;         ///< what one notch of the wheel adds, in the member's unit
   bool logarithmic = false;  ///< the number spans many powers of ten, so that dragging multiplies it
+  bool gauge = false;        ///< how far it is between its bounds means something, and is shown
   std::string_view absent;   ///< what it means where there is no value, such as "auto"
   std::string_view present;  ///< what a box to be ticked says that gives a group where there may be none
   std::string_view files;    ///< the value names a file of these patterns, such as "*.data *.lmp"
@@ -55,22 +58,21 @@ struct Field {
   constexpr Field atLeast(double least) const {
     return with([least](Field& field) { field.rule.range.least = least; });
   }
-  constexpr Field above(double least) const {
-    return with([least](Field& field) {
-      field.rule.range.least = least;
-      field.rule.range.leastExcluded = true;
-    });
-  }
   constexpr Field atMost(double most) const {
     return with([most](Field& field) { field.rule.range.most = most; });
   }
+  constexpr Field between(double least, double most) const { return atLeast(least).atMost(most); }
+  /// A length of something that is there.
+  constexpr Field size(double step) const { return in(Dimension::length, step).atLeast(kSmallestLength); }
 
   // How it is shown.
 
+  /// Bounds it by what is usual of the dimension, so the range is stated after it.
   constexpr Field in(Dimension dimension, double step) const {
     return with([dimension, step](Field& field) {
       field.display.dimension = dimension;
       field.display.step = step;
+      field.rule.range = {-reachOf(dimension), reachOf(dimension)};
     });
   }
   /// Radians in the scene, degrees in its file and in forms, where a notch turns by five of them.
@@ -79,7 +81,12 @@ struct Field {
     result.rule.angle = true;
     return result;
   }
-  constexpr Field step(double step) const { return in(display.dimension, step); }
+  constexpr Field step(double step) const {
+    return with([step](Field& field) { field.display.step = step; });
+  }
+  constexpr Field gauge() const {
+    return with([](Field& field) { field.display.gauge = true; });
+  }
   constexpr Field logarithmic() const {
     return with([](Field& field) { field.display.logarithmic = true; });
   }

@@ -13,17 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "a number above 0", "a number from 0 to 1"...
-std::string rangeText(const NumberRange& range) {
-  const NumberRange anything;
-  const bool bounded = range.least != anything.least;
-  std::string text = "a number";
-  if (bounded) text += (range.leastExcluded ? " above " : " of at least ") + shortestNumber(range.least);
-  if (range.most != anything.most)
-    text += (bounded ? " and at most " : " of at most ") + shortestNumber(range.most);
-  return text;
-}
-
 std::string listed(const std::vector<std::string>& choices) {
   std::string text;
   for (const std::string& choice : choices) text += (text.empty() ? "" : ", ") + choice;
@@ -31,6 +20,12 @@ std::string listed(const std::vector<std::string>& choices) {
 }
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+Rule inRadians(Rule degrees) {
+  degrees.range.least *= kRadiansPerDegree;
+  degrees.range.most *= kRadiansPerDegree;
+  return degrees;
+}
 
 std::string_view nameOf(const Rule& rule) {
   return rule.key.empty() ? "the file" : rule.key;
@@ -66,10 +61,7 @@ bool JsonReader::failMissing(const JsonValue& object, std::string_view key) {
 bool JsonReader::readNumber(const JsonValue& value, double& out, const Rule& rule) {
   if (!value.isNumber()) return failKind(value, rule, rangeText(rule.range));
   const double number = value.number();
-  const bool tooLow = rule.range.leastExcluded ? number <= rule.range.least : number < rule.range.least;
-  if (tooLow || number > rule.range.most || !std::isfinite(number)) {
-    return failNumber(value, rule, rangeText(rule.range));
-  }
+  if (!rule.range.holds(number)) return failNumber(value, rule, rangeText(rule.range));
   out = number;
   return true;
 }
@@ -79,10 +71,7 @@ bool JsonReader::readAngle(const JsonValue& value, double& out, const Rule& rule
     const JsonValue* radians = value.find("radians");
     if (radians == nullptr || value.object()->size() != 1)
       return failKind(value, rule, "an angle in degrees");
-    Rule inRadians = rule;
-    inRadians.range.least *= kRadiansPerDegree;
-    inRadians.range.most *= kRadiansPerDegree;
-    return readNumber(*radians, out, inRadians);
+    return readNumber(*radians, out, inRadians(rule));
   }
   if (!readNumber(value, out, rule)) return false;
   out *= kRadiansPerDegree;
@@ -121,6 +110,10 @@ void JsonReader::noteRetired(const JsonMember& member, const RetiredKey& retired
                     "take it out"});
 }
 
+std::string rangeText(const NumberRange& range) {
+  return "a number from " + shortestNumber(range.least) + " to " + shortestNumber(range.most);
+}
+
 std::string describe(const Rule& rule, const Display& display) {
   const std::string_view unit = unitInFile(display.dimension);
   return std::string(rule.help) + (unit.empty() ? "" : " Unit: " + std::string(unit) + ".");
@@ -143,20 +136,14 @@ Json writeAngle(double radians) {
 
 Json angleSchema(const Rule& rule) {
   const Json exact = {{"type", "object"},
-                      {"properties", {{"radians", {{"type", "number"}}}}},
+                      {"properties", {{"radians", numberSchema("number", inRadians(rule))}}},
                       {"required", {"radians"}},
                       {"additionalProperties", false}};
   return {{"anyOf", {numberSchema("number", rule), exact}}};
 }
 
 Json numberSchema(std::string_view type, const Rule& rule) {
-  Json schema = {{"type", type}};
-  const NumberRange anything;
-  if (rule.range.least != anything.least) {
-    schema[rule.range.leastExcluded ? "exclusiveMinimum" : "minimum"] = rule.range.least;
-  }
-  if (rule.range.most != anything.most) schema["maximum"] = rule.range.most;
-  return schema;
+  return {{"type", type}, {"minimum", rule.range.least}, {"maximum", rule.range.most}};
 }
 
 Json objectSchema() {

@@ -47,6 +47,8 @@ class JsonReader {
   std::vector<sim::Problem> notes_;
 };
 
+/// "a number from 0 to 1".
+std::string rangeText(const NumberRange& range);
 /// What a schema and a table say of a field: its help and its unit, "Target edge of a cell. Unit: cm."
 std::string describe(const Rule& rule, const Display& display);
 /// What readAngle() reads back as exactly `radians`.

@@ -48,8 +48,8 @@ Result<std::unique_ptr<Simulation>> Simulation::create(Network network, Environm
   return std::unique_ptr<Simulation>(new Simulation(std::move(state)));
 }
 
-Status Simulation::advanceTo(double until) {
-  return state_->stepper.advanceTo(until);
+Status Simulation::advanceTo(double until, const std::function<void()>& afterStep) {
+  return state_->stepper.advanceTo(until, afterStep);
 }
 Status Simulation::stepOnce() {
   return state_->stepper.stepOnce();
@@ -65,6 +65,12 @@ double Simulation::time() const {
 }
 double Simulation::step() const {
   return state_->world().clock.step;
+}
+std::vector<double> Simulation::stepsAt(std::span<const Pace> paces) const {
+  const Stiffest touching = state_->stepper.stiffestNow();
+  std::vector<double> steps;
+  for (const Pace& pace : paces) steps.push_back(state_->stepper.stepAt(pace.time, pace.speed, touching));
+  return steps;
 }
 StepLimit Simulation::stepLimit() const {
   return state_->stepper.stepLimit();

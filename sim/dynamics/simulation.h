@@ -30,8 +30,8 @@ class Simulation {
 
   /// Steps until time() >= until: ends on the first step at or after it, so that when frames are asked for
   /// does not change the motion. A Problem is a blow-up: it names the node and its material, and the state
-  /// stays as it was when found.
-  Status advanceTo(double until);
+  /// stays as it was when found. `afterStep`, if there is one, is called after each step.
+  Status advanceTo(double until, const std::function<void()>& afterStep = {});
   /// Exactly one step.
   Status stepOnce();
 
@@ -44,6 +44,13 @@ class Simulation {
   double time() const;
   double step() const;  ///< s: the step being used now
   StepLimit stepLimit() const;
+  /// A time (s) and how fast the fastest node then is (cm/s).
+  struct Pace {
+    double time = 0.0;
+    double speed = 0.0;
+  };
+  /// s: about how long the step will be at each of these, if things touch as they do now.
+  std::vector<double> stepsAt(std::span<const Pace> paces) const;
   std::uint64_t stepCount() const;
   std::uint64_t brokenBondCount() const;
 

@@ -193,8 +193,7 @@ void Stepper::refreshContacts() {
 
 void Stepper::chooseStep() {
   world_.contacts.age().noteChoice();
-  const ContactMoment moment = contactMoment(world_, integrator_->kick(world_.clock));
-  const Stiffest stiffest = stiffestContacts(world_.contacts, moment, world_.forces);
+  const Stiffest stiffest = stiffestNow();
   StepLength::Scene scene;
   scene.stiffnessScale = world_.controls.largestStiffnessScale();
   scene.dampingScale = world_.controls.largestDampingScale();
@@ -222,6 +221,25 @@ StepLimit Stepper::stepLimit() const {
                        world_.clock.step);
 }
 
+Stiffest Stepper::stiffestNow() const {
+  const ContactMoment moment = contactMoment(world_, integrator_->kick(world_.clock));
+  return stiffestContacts(world_.contacts, moment, world_.forces);
+}
+
+double Stepper::stepAt(double time, double speed, const Stiffest& touching) const {
+  Controls then = world_.controls;
+  then.moveTo(time);
+  StepLength::Scene scene;
+  scene.stiffnessScale = then.largestStiffnessScale();
+  scene.dampingScale = then.largestDampingScale();
+  scene.contactRateSquared = touching.rateSquared;
+  scene.contactDamping = touching.damping;
+  scene.speed = speed;
+  scene.longestTravel = world_.contacts.age().longestTravel(world_.contacts.model());
+  StepLength length = length_;
+  return length.choose(scene, 0.0);
+}
+
 Status Stepper::watchEnergy() {
   placeBodies(world_);
   const Integrator::Kept kept = integrator_->keptEnergy(world_);
@@ -233,11 +251,12 @@ Status Stepper::stepOnce() {
   return arena_.execute([&] { return makeStep(); });
 }
 
-Status Stepper::advanceTo(double until) {
+Status Stepper::advanceTo(double until, const std::function<void()>& afterStep) {
   return arena_.execute([&]() -> Status {
     while (world_.time() < until - kTimeSlack * world_.clock.step) {
       sleepUntil(until);
       if (const Status status = makeStep(); !status) return status;
+      if (afterStep) afterStep();
     }
     return Done{};
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,9 +22,13 @@ class Stepper {
   Stepper(Network network, Environment environment, std::vector<Track> tracks, const Settings& settings);
 
   /// See Simulation.
-  Status advanceTo(double until);
+  Status advanceTo(double until, const std::function<void()>& afterStep);
   Status stepOnce();
   StepLimit stepLimit() const;
+  /// What touches now.
+  Stiffest stiffestNow() const;
+  /// s: how long the step will be at a time (s) at which no node is faster than `speed` (cm/s).
+  double stepAt(double time, double speed, const Stiffest& touching) const;
 
   const World& world() const { return world_; }
   const StepLength& length() const { return length_; }

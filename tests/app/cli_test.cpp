@@ -317,7 +317,7 @@ TEST_CASE("info says what a scene will be before it runs") {
   CHECK(flight["stable_step_limited_by"] == "contact");  // an edge is about to meet the floor
   CHECK(flight["worst_cells"].size() == 5);
   CHECK(flight["stable_step_s"].get<double>() > 0.0);
-  CHECK(flight["steps"].get<double>() == std::ceil(0.03 / flight["step_s"].get<double>()));
+  CHECK(flight["steps"].get<double>() == Approx(0.03 / flight["step_s"].get<double>()).epsilon(0.1));
   CHECK(flight["frames"] == 16);
   CHECK(tests::runCli("info " + folder.scene()).output.find("stable step s") != std::string::npos);
 }
@@ -334,6 +334,69 @@ TEST_CASE("info counts the bonds that would break before anything moves") {
   const Json info = Json::parse(tests::runCli("info --json " + folder.file("pair.scene.json")).output);
   CHECK(info["preflight"]["bonds_broken_at_rest"] == 1);
   CHECK(Json::parse(tests::runCli("info --json " + scene).output)["preflight"]["bonds_broken_at_rest"] == 0);
+}
+
+TEST_CASE("info says what memory a run takes") {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  const PlateFolder folder;
+  for (const char* const cell : {"1", "0.25", "0.12"}) {
+    std::string scene = kPlate;
+    scene.replace(scene.find("\"cellSize\": 1"), 13, std::string("\"cellSize\": ") + cell);
+    std::ofstream(folder.scene()) << scene;
+    const Json info = Json::parse(tests::runCli("info --json " + folder.scene()).output);
+    const auto peak = static_cast<double>(tests::peakMemoryOf(
+        {SMITHEREENS_CLI, "simulate", folder.scene(), "--until", "0.001", "--take", folder.file("it.take")}));
+    INFO(cell);
+    // Of the two, one holds the network twice, the other a take that is written.
+    CHECK(info["preflight"]["memory_bytes"].get<double>() == Approx(peak).epsilon(0.25));
+  }
+#endif
+}
+
+TEST_CASE("info says how many steps a run takes, as tracks stiffen and speed shortens them") {
+  const PlateFolder folder;
+  // Jelly, so that not the lattice but the way that a node may go in a step counts as it falls.
+  const std::string jelly =
+      R"({"smithereens": 1, "materials": {"jelly": {"youngsModulus": 2e4, "density": 1, "lossFactor": 0.3}},
+ "parts": [{"name": "plate", "kind": "slab", "material": "jelly", "size": [4, 4, 2], "resolution": {"cellSize": 1},
+   "worldFromPart": {"position": [0, 0, HEIGHT]}}],
+ "environment": {"colliders": [{"name": "floor", "kind": "floor"}]}, TRACKS
+ "output": {"duration": 0.4, "fps": 24}})";
+  const auto ratioOf = [&](const std::string& height, const std::string& tracks) {
+    std::string scene = jelly;
+    scene.replace(scene.find("HEIGHT"), 6, height);
+    scene.replace(scene.find("TRACKS"), 6, tracks);
+    std::ofstream(folder.scene()) << scene;
+    const Json info = Json::parse(tests::runCli("info --json " + folder.scene()).output);
+    REQUIRE(tests::runCli("simulate " + folder.scene() + " --report " + folder.file("r.json")).status == 0);
+    return info["preflight"]["steps"].get<double>() / folder.json("r.json")["steps"].get<double>();
+  };
+  CHECK(ratioOf("500", "") == Approx(1.0).epsilon(0.1));
+  CHECK(ratioOf("500",
+                R"("tracks": [{"target": "stiffness.scale", "keys": [[0, 1], [0.2, 1], [0.201, 400]]}],)") ==
+        Approx(1.0).epsilon(0.1));
+}
+
+TEST_CASE("names and paths that are printed cannot steer a terminal") {
+  const PlateFolder folder;
+  std::string scene = kPlate;
+  scene.replace(scene.find("a plate falls"), 13, R"(\u001b[2J\u202e\u0007cup)");
+  scene.replace(scene.find("\"name\": \"plate\""), 15, R"("name": "\u001b[31mplate\nwarnings: none")");
+  std::ofstream(folder.scene()) << scene;
+  const auto info = tests::runCli("info " + folder.scene());
+  REQUIRE(info.status == 0);
+  const auto missing = tests::runCli("info '" + folder.file("\x1b[2J.scene.json") + "'");
+  const auto wrong = tests::runCli("simulate " + folder.scene() + " --set \"$(printf 'parts.\\033[2J=1')\"");
+  CHECK(missing.status == 2);
+  CHECK(wrong.status == 2);
+  for (const std::string& text : {info.output, info.errors, missing.errors, wrong.errors}) {
+    INFO(text);
+    CHECK(std::none_of(text.begin(), text.end(),
+                       [](char letter) { return letter == '\x1b' || letter == '\x07'; }));
+    CHECK(text.find("\xe2\x80\xae") == std::string::npos);
+  }
+  CHECK_THAT(info.output, Catch::Contains("\\x1b[31mplate\\nwarnings: none"));
+  CHECK_THAT(missing.errors, Catch::Contains("\\x1b[2J"));
 }
 
 }  // namespace

@@ -92,4 +92,31 @@ TEST_CASE("a job array for Slurm has a task a run, which does what the sweep wou
   CHECK(rows[2].at("outcome") == "done");
 }
 
+TEST_CASE("a sweep that is asked to end takes its runs along and keeps what had ended") {
+  const Folder folder;
+  // The first run is over in a moment, the second would take hours. Ends the sweep once that has begun.
+  std::ofstream(folder.path + "/stop.bash")
+      << "set -m\n\"$1\" sweep \"$2/plate.scene.json\" --out \"$2/out\" --vary output.duration=0.001,100000 "
+         "&\n"
+         "child=$!\nfor i in $(seq 400); do [ -e \"$2/out/run-0001.take\" ] && break; sleep 0.05; done\n"
+         "kill -$3 $child\nwait $child\necho status $?\n"
+         "echo left $(ps -eo args | grep -c \"[s]imulate $2\")\n";
+  for (const std::string signal : {"TERM", "INT", "HUP", "KILL"}) {
+    const auto answer = tests::runCommand("bash " + folder.path + "/stop.bash " + SMITHEREENS_CLI + " " +
+                                          folder.path + " " + signal + "; sleep 0.5");
+    INFO(signal << answer.output << answer.errors);
+    CHECK_THAT(answer.output, !Catch::Contains("status 0"));
+    if (signal != "KILL") {
+      CHECK_THAT(answer.output, Catch::Contains("left 0"));
+      CHECK_THAT(answer.errors, Catch::Contains("1 of 2 runs had ended"));
+    }
+    CHECK(tests::runCommand("ps -eo args | grep -q \"[s]imulate " + folder.path + "\"").status == 1);
+    CHECK(Json::parse(folder.text("run-0000.json")).at("outcome") == "done");
+    CHECK_FALSE(std::filesystem::exists(folder.path + "/out/run-0001.json"));
+    CHECK(folder.sweep("--vary output.duration=0.001,100000 --collect").status == 1);
+    CHECK(Json::parse(folder.text("sweep.json")).at(0).at("outcome") == "done");
+    std::filesystem::remove_all(folder.path + "/out");
+  }
+}
+
 }  // namespace

@@ -74,6 +74,13 @@ std::string leftOut(const FieldInfo& info) {
   return std::visit(Standard{info}, info.access);
 }
 
+std::string range(const FieldInfo& info) {
+  if (!info.numeric) return "";
+  const modeling::NumberRange& range = info.rule.range;
+  if (range.least == -range.most) return "±" + shortestNumber(range.most);
+  return shortestNumber(range.least) + ", " + shortestNumber(range.most);
+}
+
 std::string meaning(const FieldInfo& info) {
   std::string text(info.rule.help);
   const auto* choice = std::get_if<modeling::ChoiceAccess>(&info.access);
@@ -89,14 +96,15 @@ void addRows(Fields fields, const std::string& before, bool nested, std::string&
   for (const FieldInfo& info : fields) {
     const std::string key = before + std::string(info.rule.key);
     table += "| " + inCode(key) + " | " + meaning(info) + " | " +
-             std::string(modeling::unitInFile(info.display.dimension)) + " | " + leftOut(info) + " |\n";
+             std::string(modeling::unitInFile(info.display.dimension)) + " | " + range(info) + " | " +
+             leftOut(info) + " |\n";
     const auto* group = std::get_if<modeling::GroupAccess>(&info.access);
     if (nested && group != nullptr) addRows(group->fields(), key + ".", nested, table);
   }
 }
 
 std::string tableOf(Fields fields, bool nested = true) {
-  std::string table = "| key | meaning | unit | left out |\n| --- | --- | --- | --- |\n";
+  std::string table = "| key | meaning | unit | from, to | left out |\n| --- | --- | --- | --- | --- |\n";
   addRows(fields, "", nested, table);
   return table;
 }

@@ -35,8 +35,11 @@ TEST_CASE("a pre-flight says how large and how long a run will be") {
   const double step = tests::started(scene, 1)->step();
   CHECK(flight.stableStep == step);
   CHECK(flight.step == step);
-  CHECK(flight.steps == std::ceil(0.5 / step));
-  CHECK(flight.stepsPerSecond == Approx(1.0 / step));
+  // Nothing is driven, nor fast enough to matter; a sum of parts of the duration is rounded up.
+  CHECK(flight.steps == Approx(0.5 / step).margin(1.0));
+  CHECK(flight.stepsPerSecond == Approx(1.0 / step).epsilon(1e-3));
+  CHECK(flight.memoryBytes > 1'000'000);
+  CHECK(flight.peakMemoryBytes >= flight.memoryBytes);
   CHECK(flight.frames == 13.0);
   CHECK(flight.wallSeconds == Approx(0.5 * flight.wallSecondsPerSecond).epsilon(0.01));
   CHECK(flight.takeBytes > 13.0 * 38.0 * static_cast<double>(flight.nodes));

@@ -146,9 +146,10 @@ TEST_CASE("a frame that cannot be written is written later, with all that broke"
 TEST_CASE("a run whose take cannot be written ends with the Problem, and the take with what it has") {
   const tests::ScratchFolder folder;
   Run run(folder.file("run.take"));
-  int frames = 0;
-  const sim::Status ran = run.recording->run([&](const sim::Simulation&) {
-    if (++frames == 4) run.take->refusesFrames = true;
+  // Told of after each step: after the one that is the fifth frame, the disk is full for the sixth.
+  const double fifth = 4.0 / run.recording->plan().framesPerSecond;
+  const sim::Status ran = run.recording->run([&](const sim::Simulation& now) {
+    if (now.time() > fifth + 2.0 * now.step()) run.take->refusesFrames = true;
   });
   REQUIRE_FALSE(ran.ok());
   CHECK(ran.problem().what == "the disk is full");

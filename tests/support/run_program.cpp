@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,6 +33,24 @@ Answer runCommand(const std::string& command) {
   std::filesystem::remove(base + ".out");
   std::filesystem::remove(base + ".err");
   return answer;
+}
+
+std::size_t peakMemoryOf(const std::vector<std::string>& words) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    std::vector<char*> raw;
+    for (const std::string& word : words) raw.push_back(const_cast<char*>(word.c_str()));
+    raw.push_back(nullptr);
+    ::execv(raw[0], raw.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  rusage used{};
+  ::wait4(child, &status, 0, &used);
+  return 1024 * static_cast<std::size_t>(used.ru_maxrss);
 }
 
 Answer runCli(const std::string& arguments) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace tests {
 
@@ -13,6 +15,10 @@ struct Answer {
 
 /// Runs a shell command line to its end.
 Answer runCommand(const std::string& command);
+
+/// The most memory that the program had, bytes. `words` are its file and its arguments; what it says goes
+/// nowhere.
+std::size_t peakMemoryOf(const std::vector<std::string>& words);
 
 /// smithereens-cli with these arguments. Where the build allows it, with at most 1 GB of memory.
 Answer runCli(const std::string& arguments);

@@ -22,8 +22,7 @@ struct Fields {
   Fields() {
     NumberFormat length;
     length.dimension = Dimension::length;
-    length.least = 0.0;
-    length.leastExcluded = true;
+    length.least = 1e-4;
     length.step = 0.1;
     NumberFormat counts;
     counts.whole = true;

@@ -6,6 +6,7 @@
 
 #include "modeling/files/output_file.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/scene/scene_ranges.h"
 #include "ui/document/edit_command.h"
 
 namespace ui {
@@ -66,6 +67,7 @@ void Document::edit(const QString& name, const Change& change, const QString& ge
   if (rehearsed_ != nullptr) return change(*rehearsed_);
   modeling::Scene after = scene_;
   change(after);
+  modeling::keepNumbersInRange(after);
   // Commands merge with the one before by the gesture's name: another gesture of the same name, begun later,
   // must not.
   static int gestures = 0;

@@ -32,7 +32,7 @@ EditorActions::EditorActions(Session& session, Viewport& viewport, QObject* pare
                      QKeySequence(Qt::SHIFT | Qt::Key_G));
   tuneThreshold_ = makeAction(QStringLiteral("threshold"), tr("Tune Threshold…"),
                               tr("Find the threshold at which a material breaks well"), {});
-  render_ = makeAction(QStringLiteral("film"), tr("&Render…"),
+  render_ = makeAction(QStringLiteral("film"), tr("Ren&der…"),
                        tr("Draw a ray-traced picture of what is shown, or a film of the take (Ctrl+R)"),
                        QKeySequence(Qt::CTRL | Qt::Key_R));
   connect(render_, &QAction::triggered, this,

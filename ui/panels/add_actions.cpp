@@ -22,6 +22,17 @@ QIcon iconFor(const NewThing& thing) {
   return thing.preset ? dishIcon(*thing.preset) : Theme::icon(thing.icon);
 }
 
+/// The first letter that no other entry of the menu has chooses it.
+QString withFreeLetter(QString title, QString& taken) {
+  for (qsizetype i = 0; i < title.size(); ++i) {
+    const QChar letter = title[i].toLower();
+    if (!letter.isLetter() || taken.contains(letter)) continue;
+    taken += letter;
+    return title.insert(i, u'&');
+  }
+  return title;
+}
+
 }  // namespace
 
 AddActions::AddActions(Session& session, QWidget* window)
@@ -37,6 +48,7 @@ AddActions::AddActions(Session& session, QWidget* window)
 void AddActions::fill(QMenu& menu) {
   bool dishes = true;
   bool colliders = false;
+  QString taken = QStringLiteral("nmo");  // by what comes from a file
   for (const NewThing& thing : newThings()) {
     if (dishes && !thing.preset) menu.addSeparator();
     dishes = thing.preset.has_value();
@@ -50,8 +62,8 @@ void AddActions::fill(QMenu& menu) {
       menu.addSeparator();
       colliders = true;
     }
-    // The first letter of each chooses it.
-    QAction* action = menu.addAction(iconFor(thing), u'&' + thing.title, this, [this, thing] { add(thing); });
+    QAction* action = menu.addAction(iconFor(thing), withFreeLetter(thing.title, taken), this,
+                                     [this, thing] { add(thing); });
     action->setToolTip(thing.help);
     action->setStatusTip(thing.help);
   }

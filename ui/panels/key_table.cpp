@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "modeling/scene/scene_ranges.h"
 #include "ui/panels/number_field.h"
 #include "ui/theme/theme.h"
 
@@ -90,6 +91,7 @@ void KeyTable::addRow() {
   NumberFormat time;
   time.dimension = Dimension::time;
   time.least = 0.0;
+  time.most = modeling::keyTimeRange().most;
   time.step = 0.05;
   Row row;
   row.time = new NumberField(time, this);
@@ -102,7 +104,8 @@ void KeyTable::addRow() {
   format.dimension = dimensionOf(unit);
   format.step = stepOf(unit);
   format.unitShown = !track_.target.isVector();
-  format.least = std::max(format.least, leastOf(track_.target));
+  format.least = leastOf(track_.target);
+  format.most = mostOf(track_.target);
   const std::size_t components = componentsOf(track_.target);
   for (std::size_t c = 0; c < components; ++c) {
     auto* field = new NumberField(format, this);

@@ -75,10 +75,7 @@ QSize NumberField::minimumSizeHint() const {
 
 double NumberField::fitted(double value) const {
   if (format_.whole) value = std::round(value);
-  value = std::min(value, format_.most);
-  if (value > format_.least || (value == format_.least && !format_.leastExcluded)) return value;
-  // Nothing is the smallest number above a bound that is itself excluded: a thousandth of a step will do.
-  return format_.leastExcluded ? format_.least + 1e-3 * format_.step : format_.least;
+  return std::clamp(value, format_.least, format_.most);
 }
 
 void NumberField::change(std::optional<double> value, bool finished) {
@@ -304,9 +301,6 @@ QString NumberField::rangeText() const {
   const QString least = quantityText(format_.least, format_.dimension);
   const QString most = quantityText(format_.most, format_.dimension);
   const bool bounded = format_.most < 1e300;
-  if (format_.leastExcluded)
-    return bounded ? tr("this must be above %1 and at most %2").arg(least, most)
-                   : tr("this must be above %1").arg(least);
   if (format_.least > -1e300)
     return bounded ? tr("this must be from %1 to %2").arg(least, most)
                    : tr("this must be at least %1").arg(least);
@@ -402,7 +396,7 @@ void NumberField::paintEvent(QPaintEvent*) {
   painter.setPen(border);
   painter.setBrush(isEnabled() ? colours.field : colours.panel);
   painter.drawRoundedRect(frame, kCorner, kCorner);
-  if (format_.most < 1e300 && format_.least > -1e300 && !format_.whole && value_ && !mixed_) {
+  if (format_.gauge && value_ && !mixed_) {
     const double share = std::clamp((*value_ - format_.least) / (format_.most - format_.least), 0.0, 1.0);
     QColor fill = colours.accent;
     fill.setAlphaF(0.22F);

@@ -15,9 +15,9 @@ struct NumberFormat {
   Dimension dimension = Dimension::number;
   double least = -1e300;
   double most = 1e300;
-  bool leastExcluded = false;
   double step = 0.1;         ///< base units: what the wheel and the arrow keys add, and what Ctrl snaps to
   bool logarithmic = false;  ///< dragging multiplies instead: for values that span many powers of ten
+  bool gauge = false;        ///< a bar shows how far it is between its bounds
   bool whole = false;
   bool unitShown = true;  ///< off where the label says it
   QString autoText;       ///< not empty: the value may be absent, which is shown as this word

@@ -1,3 +1,4 @@
+#include "modeling/scene/scene_ranges.h"
 #include "ui/panels/field_rows.h"
 #include "ui/panels/item_properties.h"
 
@@ -18,8 +19,8 @@ void addStep(PropertyForm& form, const RowLabel& label, const NumberFormat& time
       },
       std::nullopt);
   NumberFormat share;
-  share.least = 0.0;
-  share.leastExcluded = true;
+  share.least = modeling::kToleranceRule.range.least;
+  share.most = modeling::kToleranceRule.range.most;
   share.step = 1e-4;
   share.logarithmic = true;
   share.autoText = PropertyForm::tr("none");

@@ -40,11 +40,10 @@ NumberFormat formatOf(const modeling::Rule& rule, const modeling::Display& displ
   format.step = display.step;
   format.logarithmic = display.logarithmic;
   format.autoText = translatedField(display.absent);
-  constexpr double kUnbounded = 1e300;
   const double scale = rule.angle ? std::numbers::pi / 180.0 : 1.0;
-  if (rule.range.least > -kUnbounded) format.least = rule.range.least * scale;
-  if (rule.range.most < kUnbounded) format.most = rule.range.most * scale;
-  format.leastExcluded = rule.range.leastExcluded;
+  format.least = rule.range.least * scale;
+  format.most = rule.range.most * scale;
+  format.gauge = display.gauge;
   return format;
 }
 

@@ -73,7 +73,7 @@ void ViewActions::makeTools() {
               "degrees."));
   makeTool(TransformMode::scale, tr("S&cale"), QStringLiteral("scale"), QStringLiteral("S"),
            tr("Drag a handle, or move the pointer and click. X, Y or Z holds to an axis; type a factor."));
-  snap_ = make(tr("S&nap"), QStringLiteral("snap"), {},
+  snap_ = make(tr("Snap"), QStringLiteral("snap"), {},
                tr("Moves by 1 cm, turns by 15°, scales by 0.1. Ctrl does the opposite while dragging."));
   snap_->setCheckable(true);
   connect(snap_, &QAction::toggled, this, [this](bool snaps) {
@@ -95,7 +95,7 @@ void ViewActions::makeShow(bool ViewSettings::*what, const QString& text, const 
 }
 
 void ViewActions::makeShows() {
-  makeShow(&ViewSettings::surface, tr("&Surface"), QStringLiteral("view-surface"), {},
+  makeShow(&ViewSettings::surface, tr("S&urface"), QStringLiteral("view-surface"), {},
            tr("The faces of whole cells."));
   makeShow(&ViewSettings::nodes, tr("&Nodes"), QStringLiteral("view-nodes"), {}, tr("Every node as a ball."));
   makeShow(&ViewSettings::bonds, tr("&Bonds"), QStringLiteral("view-bonds"), {},
@@ -114,7 +114,7 @@ void ViewActions::makeViews() {
   view(tr("Frame &All"), QStringLiteral("Home"), tr("Bring everything into view."), [this] {
     viewport_.frameAll();
   })->setIcon(Theme::icon(QStringLiteral("frame")));
-  view(tr("Frame &Selection"), QStringLiteral("F"), tr("Bring what is selected into view."),
+  view(tr("Frame S&election"), QStringLiteral("F"), tr("Bring what is selected into view."),
        [this] { viewport_.frameSelection(); });
   using Axis = ViewCamera::Axis;
   const auto along = [&](const QString& text, const char* key, Axis axis) {
@@ -122,12 +122,12 @@ void ViewActions::makeViews() {
          [this, axis] { viewport_.lookAlong(axis); });
   };
   along(tr("&Front"), "1", Axis::front);
-  along(tr("&Back"), "Ctrl+1", Axis::back);
-  along(tr("&Right"), "3", Axis::right);
+  along(tr("Bac&k"), "Ctrl+1", Axis::back);
+  along(tr("Ri&ght"), "3", Axis::right);
   along(tr("&Left"), "Ctrl+3", Axis::left);
-  along(tr("&Top"), "7", Axis::top);
+  along(tr("Top"), "7", Axis::top);
   along(tr("B&ottom"), "Ctrl+7", Axis::bottom);
-  orthographic_ = make(tr("&Orthographic"), {}, QStringLiteral("5"),
+  orthographic_ = make(tr("Ort&hographic"), {}, QStringLiteral("5"),
                        tr("Without perspective: far things as large as near ones."));
   orthographic_->setCheckable(true);
   connect(orthographic_, &QAction::triggered, &viewport_, &Viewport::setOrthographic);

@@ -78,7 +78,7 @@ void Menus::makeEditMenu() {
 }
 
 void Menus::makeNavigationMenu(QMenu& view) {
-  QMenu* menu = view.addMenu(tr("&Navigation"));
+  QMenu* menu = view.addMenu(tr("Na&vigation"));
   auto* group = new QActionGroup(&targets_.window);
   const bool isMaya = QSettings().value("navigation").toString() == "maya";
   const auto add = [&](const QString& name, const QString& tip, NavigationPreset preset, bool present) {
@@ -164,7 +164,7 @@ void Menus::makeSimulateMenu() {
 
 void Menus::makeHelpMenu() {
   QMainWindow& window = targets_.window;
-  QMenu* menu = targets_.window.menuBar()->addMenu(tr("&Help"));
+  QMenu* menu = targets_.window.menuBar()->addMenu(tr("Hel&p"));
   menu->addAction(tr("&Shortcuts"), QKeySequence(Qt::Key_F1), &window, [&window] {
     ShortcutsDialog dialog(window);
     dialog.exec();

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "sim/dynamics/simulation.h"
+
+namespace modeling {
+
+/// How many steps a run makes from its start to `duration` (s), as long as nothing breaks.
+///
+/// The step follows the stiffness that tracks give at each time, and how fast things are: no node may go far
+/// in one step. Things are as fast as they fall and fly freely until they have landed. After that they are
+/// taken to go on at three quarters of the speed they landed with, as soft things do; where things come to
+/// rest and sleep it is fewer steps.
+double expectedSteps(const sim::Simulation& simulation, const sim::Environment& environment,
+                     const std::vector<sim::Track>& tracks, double duration);
+
+}  // namespace modeling
