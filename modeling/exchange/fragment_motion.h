@@ -31,7 +31,8 @@ class FragmentFollower {
   bool has(sim::FragmentId id) const { return followed_.contains(id); }
   /// Where a fragment that has been followed is about, in the first frame, cm.
   const Vec3& originOf(sim::FragmentId id) const { return followed_.at(id).rigid.origin(); }
-  const sim::Snapshot& first() const { return *first_; }
+  /// That it has in the last frame followed, ascending.
+  const std::vector<sim::NodeIndex>& nodesOf(sim::FragmentId id) const { return followed_.at(id).nodes; }
 
   /// By id.
   std::vector<FragmentMotion> motions() const;

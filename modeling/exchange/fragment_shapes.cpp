@@ -66,13 +66,23 @@ void ShapedFragment::end() {
 
 FragmentShapes::FragmentShapes(const sim::Network& network, const sim::Snapshot& first,
                                sim::LooseNodes looseNodes, const std::optional<PartParameters>& parameters)
-    : network_(network), first_(first), parameters_(parameters), builder_(network, looseNodes) {}
+    : first_(first),
+      parameters_(parameters),
+      givesMaterial_(looseNodes == sim::LooseNodes::givenToNeighbours),
+      builder_(network, looseNodes) {}
 
 std::map<sim::FragmentId, FragmentShapes::Signature> FragmentShapes::signaturesOf(
-    const sim::SurfaceTopology& topology) const {
+    const sim::SurfaceTopology& topology, const FragmentFollower& followed) const {
   std::map<sim::FragmentId, Signature> signatures;
   for (const auto& face : topology.faces) {
-    Signature& signature = signatures[face.fragment];
+    if (!followed.has(face.fragment)) continue;
+    const auto [found, isNew] = signatures.try_emplace(face.fragment);
+    Signature& signature = found->second;
+    if (isNew) {
+      const auto& nodes = followed.nodesOf(face.fragment);
+      signature.assign(nodes.begin(), nodes.end());
+    }
+    if (!givesMaterial_) continue;
     for (const double number : {static_cast<double>(face.cell), static_cast<double>(face.material),
                                 static_cast<double>(face.cornerCount), face.inside ? 1.0 : 0.0})
       signature.push_back(number);
@@ -88,8 +98,7 @@ void FragmentShapes::follow(const sim::BrokenPointer& broken, const FragmentFoll
   const std::size_t frame = frames_++;
   if (frame == 0 || broken->version != version_) {
     const sim::SurfaceTopology& topology = builder_.topology(broken);
-    auto signatures = signaturesOf(topology);
-    std::erase_if(signatures, [&](const auto& entry) { return !followed.has(entry.first); });
+    auto signatures = signaturesOf(topology, followed);
     std::set<sim::FragmentId> changed;
     for (const auto& [id, signature] : signatures) {
       const auto before = signatures_.find(id);

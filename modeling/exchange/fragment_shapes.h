@@ -93,22 +93,25 @@ class FragmentShapes {
   double thicknessOf(sim::MaterialIndex material) const;
 
  private:
-  /// What a fragment's surface depends on: a face's cell, looks, and corners at rest.
+  /// What a fragment looks otherwise by: its nodes; where the material of others is given to it, its faces
+  /// and their corners at rest. That a crack beside it went on and was smoothed otherwise there is no new
+  /// look.
   using Signature = std::vector<double>;
   struct Extent {
     double volume = 0.0;  ///< cm^3
     double area = 0.0;    ///< cm^2
   };
 
-  std::map<sim::FragmentId, Signature> signaturesOf(const sim::SurfaceTopology& topology) const;
+  std::map<sim::FragmentId, Signature> signaturesOf(const sim::SurfaceTopology& topology,
+                                                    const FragmentFollower& followed) const;
   /// Ends the shapes of fragments that look otherwise now, and begins new ones.
   void addShapes(const sim::SurfaceTopology& topology, const FragmentFollower& followed,
                  const std::set<sim::FragmentId>& changed);
   void measure(const sim::SurfaceTopology& topology);
 
-  const sim::Network& network_;
   const sim::Snapshot& first_;
   const std::optional<PartParameters>& parameters_;
+  bool givesMaterial_;  ///< of loose nodes, to the fragments beside them
   sim::SurfaceBuilder builder_;
   std::size_t frames_ = 0;
   std::uint64_t version_ = 0;  ///< of what was broken in the last frame

@@ -76,6 +76,8 @@ void GltfAnimation::show(std::size_t node, std::size_t firstFrame, std::size_t l
   Json& shown = file_.json()["nodes"][node];
   // Visible, as far as that goes, for who knows the one extension and not the other.
   shown["extensions"]["KHR_node_visibility"] = {{"visible", true}};
+  // assimp squashes a node of which an animation has the scale and nobody states the rotation.
+  if (!shown.contains("rotation")) shown["rotation"] = {0.0, 0.0, 0.0, 1.0};
   if (firstFrame > 0) shown["scale"] = {0.0, 0.0, 0.0};
 }
 

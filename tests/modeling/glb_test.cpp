@@ -144,8 +144,8 @@ TEST_CASE("hundreds of fragments are nodes of a glb each, which no bounds of a f
   CHECK(!read.json().contains("skins"));
   // One for what was whole, and one for each piece.
   CHECK(read.json().at("meshes").size() == 502);
-  // What every one of thousands adds to the file besides its numbers.
-  CHECK(std::filesystem::file_size(path) < 501 * 4500);
+  // What each adds to the file: twelve vertices of cube and crack a face, two materials, six channels.
+  CHECK(std::filesystem::file_size(path) < 501 * 7000);
 }
 
 TEST_CASE("in a glb a body is one closed mesh until it breaks, and in each frame the right ones are seen") {
