@@ -95,9 +95,13 @@ sim::Status checkOutputs(const ResumeOptions& options) {
 }
 
 sim::Status checkBranch(const ResumeOptions& options) {
-  if (!options.branch.empty()) return checkOutputs(options);
-  return sim::Problem{"--take", "a run that goes on from a frame needs a take of its own",
-                      "name a file to record to"};
+  if (options.branch.empty())
+    return sim::Problem{"--take", "a run that goes on from a frame needs a take of its own",
+                        "name a file to record to"};
+  std::error_code error;
+  if (std::filesystem::equivalent(options.branch, options.take, error))
+    return sim::Problem{"--take", "this is the take that is gone on from", "name another file"};
+  return checkOutputs(options);
 }
 
 /// The take's scene with the settings laid over it; nothing without any.

@@ -126,7 +126,7 @@ bool isSvg(std::string_view text) {
 }
 
 bool isLammps(std::string_view text) {
-  return text.starts_with("Smithereens") || text.starts_with("# Smithereens");
+  return text.starts_with("Smithereens, ") || text.starts_with("# Smithereens: ");
 }
 
 bool isSlurm(std::string_view text) {

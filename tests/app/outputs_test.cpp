@@ -43,8 +43,11 @@ class Desk {
   tests::Answer run(const std::string& arguments) const {
     std::string all;
     std::istringstream words(arguments);
-    for (std::string word; words >> word;)
-      all += " " + (word == "S" ? "s.scene.json" : word == "T" ? "t.take" : word);
+    for (std::string word; words >> word;) {
+      if (word == "S") word = "s.scene.json";
+      if (word == "T") word = "t.take";
+      all.append(" ").append(word);
+    }
     return tests::runCommand("cd " + folder_.string() + " && " SMITHEREENS_CLI + all);
   }
   /// All files with what is in them.

@@ -55,14 +55,13 @@ class Autosave::Writer {
     return modeling::replaceFile(folder_ / kAsideState, QJsonDocument(state).toJson().toStdString());
   }
 
-  /// Removes all. A disk that does not answer is not waited for: then the folder is recovered, which is
-  /// better than lost.
+  /// Removes all but the lock. A disk that does not answer is not waited for: then the folder is recovered,
+  /// which is better than lost.
   void end() {
     if (!mutex_.try_lock_for(std::chrono::milliseconds(500))) return;
     const std::lock_guard lock(mutex_, std::adopt_lock);
     ended_ = true;
-    std::error_code error;
-    fs::remove_all(folder_, error);
+    removeAside(folder_);
   }
 
  private:
@@ -103,6 +102,8 @@ Autosave::~Autosave() {
   worker_.requestStop();
   writer_->end();
   lock_.unlock();
+  std::error_code stays;
+  fs::remove(folder_, stays);
 }
 
 QJsonObject Autosave::state(bool modified) const {

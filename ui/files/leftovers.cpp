@@ -135,8 +135,19 @@ std::vector<Leftover> leftoversIn(const fs::path& root) {
 }
 
 void discard(const Leftover& leftover) {
+  removeAside(leftover.folder);
+  if (leftover.lock) leftover.lock->unlock();
   std::error_code error;
-  fs::remove_all(leftover.folder, error);
+  fs::remove(leftover.folder, error);
+}
+
+void removeAside(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().filename() != kAsideLock) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) fs::remove_all(file, error);
 }
 
 fs::path putAside(const Leftover& leftover) {
@@ -144,6 +155,7 @@ fs::path putAside(const Leftover& leftover) {
   std::error_code error;
   fs::create_directories(folder, error);
   const fs::path aside = folder / leftover.folder.filename();
+  if (leftover.lock) leftover.lock->unlock();
   fs::rename(leftover.folder, aside, error);
   return error ? leftover.folder : aside;
 }

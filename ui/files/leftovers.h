@@ -40,6 +40,8 @@ std::vector<Leftover> leftoverOf(const std::filesystem::path& folder);
 
 /// Removes it from the disk.
 void discard(const Leftover& leftover);
+/// Removes what a program has kept aside, but for the lock, which goes last.
+void removeAside(const std::filesystem::path& folder);
 /// Moves what is damaged out of the way, where nobody asks about it again, and says where it is.
 std::filesystem::path putAside(const Leftover& leftover);
 
