@@ -23,7 +23,7 @@ constexpr std::array<Ladder, 3> kLadders = {
       "base collider network state surface kernel fracture fragments contact control world skipping passes "
       "methods "
       "dynamics take"},
-     {"modeling", "text shapes material glue assembly import scene preflight calibration run exchange"},
+     {"modeling", "files text shapes material glue assembly import scene preflight calibration run exchange"},
      {"ui", "theme plot picture document kinds session viewport timeline panels editors files window"}}};
 // In two halves, so that this file does not hold the words it looks for.
 constexpr std::array<std::string_view, 4> kNotes = {

@@ -35,6 +35,7 @@ struct Autosave::Order {
   std::uint64_t number = 0;
   modeling::Scene scene;
   QJsonObject state;
+  QDateTime when;  ///< takes that were begun later are not in it
 
   bool saysTheSame(const Order& other) const { return scene == other.scene && state == other.state; }
 };
@@ -51,7 +52,7 @@ class Autosave::Writer {
     if (const sim::Status saved = modeling::saveScene(order.scene, folder_ / kAsideScene); !saved)
       return saved;
     QJsonObject state = order.state;
-    state["when"] = QDateTime::currentDateTime().toString(Qt::ISODate);
+    state["when"] = order.when.toString(Qt::ISODateWithMs);
     return modeling::replaceFile(folder_ / kAsideState, QJsonDocument(state).toJson().toStdString());
   }
 
@@ -128,10 +129,12 @@ std::shared_ptr<const Autosave::Order> Autosave::newOrder() {
   order->scene = document.rehearse(confirmPending);
   const bool modified = document.isModified() || order->scene != document.scene();
   order->state = state(modified);
-  const bool worthKeeping = modified || !order->state["takes"].toObject().isEmpty();
-  if (!ordered_ && !worthKeeping) return nullptr;
+  // Whose takes come into the folder is known before there are any.
+  const bool isOpen = modified || !document.file().empty() || !document.scene().parts.empty();
+  if (!ordered_ && !isOpen) return nullptr;
   if (ordered_ && ordered_->saysTheSame(*order)) return nullptr;
   order->number = ++orders_;
+  order->when = QDateTime::currentDateTime();
   ordered_ = order;
   return order;
 }
