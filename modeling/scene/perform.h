@@ -11,8 +11,9 @@
 /// Simulation::replan() is to be told, and a run of the changed scene from the start is the same, to the bit.
 namespace modeling {
 
-/// The time of what is performed now, s: behind all that is done and before the next step, however short it
-/// is. What is performed later in the same step has the same time, and replaces it.
+/// The time of what is performed now, s: behind all that is done, by half of the step that is planned. Where
+/// the next is made shorter than that it acts from the one after. What is performed later in the same step
+/// has the same time, and replaces it.
 double performTime(const sim::Simulation& simulation);
 
 /// From `time` on the target has this value: a key in the last of its tracks that holds values (Interpolation

@@ -97,7 +97,7 @@ class Player {
   /// What an action waits for, such as the end of a drag, is let go on after a while; else it is to end
   /// first.
   void nextWhenReady(int waited = 0) {
-    constexpr int kWait = 5;  // ms
+    constexpr int kWait = 5;       // ms
     constexpr int kLongest = 200;  // ms
     const bool asked =
         QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr;
@@ -123,7 +123,8 @@ class Player {
     if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->reject();
     const bool open =
         QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr;
-    if (!open) return QApplication::quit();
+    // Not quit(), which asks about what is not saved.
+    if (!open) return QApplication::exit();
     QTimer::singleShot(20, qApp, [this] { finish(); });
   }
 
