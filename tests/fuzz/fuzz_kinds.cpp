@@ -52,11 +52,6 @@ const std::string kBarScene =
 const std::string kObj =
     "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-const std::string kPly =
-    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement "
-    "face 4\n"
-    "property list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n0 2 0\n0 0 2\n3 0 2 1\n3 0 1 3\n3 1 2 "
-    "3\n3 0 3 2\n";
 const std::string kStl =
     "solid t\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 2 0\nvertex 2 0 0\nendloop\nendfacet\n"
     "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0 2\nendloop\nendfacet\n"
@@ -250,7 +245,6 @@ std::vector<FuzzKind> fuzzKinds(const fs::path& folder) {
           {"data", ".data", {kBar}, true, readData},
           {"dump", ".dump", {dumpText()}, true, readDump},
           {"obj", ".obj", {kObj}, true, readMesh},
-          {"ply", ".ply", {kPly}, true, readMesh},
           {"stl", ".stl", {kStl}, true, readMesh},
           {"hdr", ".hdr", {hdrBytes()}, false, readImage},
           {"png", ".png", {pngBytes(folder)}, false, readImage},
