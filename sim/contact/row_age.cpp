@@ -64,8 +64,12 @@ bool RowAge::choiceIsOld(const ContactModel& model) const {
 }
 
 double RowAge::longestTravel(const ContactModel& model) const {
-  const bool unlimited = !anyMayTouch() || !(model.colliderSkin() > 0.0);
-  return unlimited ? std::numeric_limits<double>::infinity() : kTravelShare * model.colliderSkin();
+  return anyMayTouch() ? travelLimit(model) : std::numeric_limits<double>::infinity();
+}
+
+double RowAge::travelLimit(const ContactModel& model) {
+  const double skin = model.colliderSkin();
+  return skin > 0.0 ? kTravelShare * skin : std::numeric_limits<double>::infinity();
 }
 
 void RowAge::save(ByteWriter& writer) const {

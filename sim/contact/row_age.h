@@ -48,6 +48,8 @@ class RowAge {
   bool choiceIsOld(const ContactModel& model) const;
   /// How far a node may go in a step, cm: further, and it could leap over what it should have touched.
   double longestTravel(const ContactModel& model) const;
+  /// The same, where something may touch.
+  static double travelLimit(const ContactModel& model);
 
   void save(ByteWriter& writer) const;
   /// `collidersEnd` as in Found. False where the bytes cannot have come from save() of so many nodes.

@@ -235,7 +235,10 @@ double Stepper::stepAt(double time, double speed, const Stiffest& touching) cons
   scene.contactRateSquared = touching.rateSquared;
   scene.contactDamping = touching.damping;
   scene.speed = speed;
-  scene.longestTravel = world_.contacts.age().longestTravel(world_.contacts.model());
+  // Whether anything may touch is not known before the first step; where nothing is there to be touched, it
+  // never is.
+  if (!then.colliders().empty() || pairsAreCompared(world_.contacts.model(), world_.components))
+    scene.longestTravel = RowAge::travelLimit(world_.contacts.model());
   StepLength length = length_;
   return length.choose(scene, 0.0);
 }
