@@ -5,6 +5,7 @@
 #include <map>
 #include <new>
 #include <optional>
+#include <set>
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -36,10 +37,26 @@ std::string oneShortLine(std::string text) {
 
 class AssimpScene {
  public:
-  AssimpScene(const aiScene& scene, const ShapeKeys& shapeKeys) : scene_(scene), shapeKeys_(shapeKeys) {}
+  AssimpScene(const aiScene& scene, const ShapeKeys& shapeKeys) : scene_(scene), shapeKeys_(shapeKeys) {
+    findPlaces();
+  }
+
+  /// A rig's first bones stand in a node that is moved, turned or scaled.
+  bool hasMovedRig() const {
+    std::set<std::string> bones;
+    for (unsigned m = 0; m < scene_.mNumMeshes; ++m)
+      for (unsigned b = 0; b < scene_.mMeshes[m]->mNumBones; ++b)
+        bones.insert(scene_.mMeshes[m]->mBones[b]->mName.C_Str());
+    constexpr float kRounding = 1e-5F;
+    return std::any_of(nodes_.begin(), nodes_.end(), [&](const auto& placed) {
+      const aiNode* parent = placed.first->mParent;
+      const bool isFirst = parent != nullptr && bones.count(placed.first->mName.C_Str()) > 0 &&
+                           bones.count(parent->mName.C_Str()) == 0;
+      return isFirst && !places_.at(parent->mName.C_Str()).Equal(aiMatrix4x4(), kRounding);
+    });
+  }
 
   Reading run() {
-    findPlaces();
     for (const auto& [node, worldFromNode] : nodes_) {
       for (unsigned m = 0; m < node->mNumMeshes; ++m)
         if (const Status status = addMesh(*scene_.mMeshes[node->mMeshes[m]], worldFromNode); !status)
@@ -218,7 +235,12 @@ Reading readByAssimp(const std::filesystem::path& file, std::string_view bytes, 
     return Problem{
         "", "this mesh cannot be read: " + (error.empty() ? "it holds nothing" : oneShortLine(error)), kAnew};
   }
-  Reading raw = AssimpScene(*scene, keys).run();
+  AssimpScene read(*scene, keys);
+  if (!isFbx && bytes.find("<authoring_tool>Blender") != std::string_view::npos && read.hasMovedRig())
+    return Problem{
+        "", "its rig was moved or scaled, which Blender writes in Collada otherwise than the format says",
+        "apply the rig's location, rotation and scale in Blender (Ctrl+A), or export it as glTF"};
+  Reading raw = read.run();
   if (!raw) return raw;
   if (isFbx) addFbxStatements(*scene, *raw);
   if (!isFbx) addColladaStatements(*scene, bytes, *raw);

@@ -45,7 +45,8 @@ class EarCutter {
   /// after another all the same.
   std::vector<std::array<std::size_t, 3>> run() {
     std::vector<std::array<std::size_t, 3>> made;
-    std::size_t at = 0;
+    // A convex one becomes a fan about its first corner, as most programs have it.
+    std::size_t at = 1;
     std::size_t tried = 0;
     while (left_.size() > 3) {
       const std::size_t count = left_.size();
