@@ -181,6 +181,17 @@ sim::Status drawFrames(const RenderOptions& options, const ui::PictureSettings& 
   return sim::Done{};
 }
 
+/// While the image of the environment is read.
+modeling::Attendance waiting() {
+  modeling::Attendance attendance;
+  attendance.tell = [last = std::string()](const std::string& words) mutable {
+    if (words != last) std::cerr << words << '\n';
+    last = words;
+  };
+  attendance.gaveUp = [] { return interrupted != 0; };
+  return attendance;
+}
+
 ExitStatus render(const RenderOptions& options) {
   ui::PictureSettings settings;
   settings.samples = options.samples;
@@ -197,10 +208,12 @@ ExitStatus render(const RenderOptions& options) {
   const double aspect = static_cast<double>(settings.width) / std::max(1, settings.height);
   ui::PictureChoices choices = options.choices;
   choices.looseNodes = looseNodesNamed(options.looseNodes);
-  auto pictures = ui::TakePictures::create(std::move(*frames), range->first, range->last, aspect, choices);
-  if (!pictures) return complain(pictures.problem());
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGTERM, [](int) { interrupted = 1; });
+  auto pictures =
+      ui::TakePictures::create(std::move(*frames), range->first, range->last, aspect, choices, waiting());
+  if (!pictures)
+    return complain(pictures.problem(), interrupted != 0 ? ExitStatus::failed : ExitStatus::wrongInput);
   const auto drawn = drawFrames(options, settings, *pictures, *range, fps);
   if (drawn) return ExitStatus::done;
   return complain(drawn.problem(), interrupted != 0 ? ExitStatus::failed : ExitStatus::wrongInput);

@@ -42,12 +42,11 @@ struct Library {
   std::string_view name;
   std::string_view firstRoom;
 };
-constexpr std::array<Library, 11> kLibraries = {{{"Qt", "Qt", "ui"},
+constexpr std::array<Library, 10> kLibraries = {{{"Qt", "Qt", "ui"},
                                                  {"GL/", "OpenGL", "ui"},
                                                  {"embree", "Embree", "ui"},
                                                  {"png.h", "libpng", "ui"},
                                                  {"Imf", "OpenEXR", "ui"},
-                                                 {"stb/", "stb_image", "ui"},
                                                  {"nlohmann/", "nlohmann-json", "modeling"},
                                                  {"assimp/", "assimp", "modeling"},
                                                  {"CLI/", "CLI11", "app"},

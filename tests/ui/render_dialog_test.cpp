@@ -1,9 +1,12 @@
 #include "ui/editors/render_dialog.h"
 
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QPushButton>
 #include <QTest>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include <catch2/catch.hpp>
 
@@ -69,6 +72,47 @@ TEST_CASE("What stands in place of the scene's ground and backdrop is seen in th
   after("render-surface", 0);
   after("render-backdrop", 0);
   CHECK(after("render-ground", 0) == plain);
+}
+
+/// Reads an image of the environment as the program does, in a process of its own, but sleeps first.
+sim::Result<ui::EnvironmentImage> readSlowly(const std::filesystem::path& path,
+                                             const modeling::Attendance& attendance) {
+  const auto sleep = [] {
+    std::this_thread::sleep_for(std::chrono::seconds(50));
+    return sim::ByteWriter();
+  };
+  const auto answer = modeling::readApart(path.filename().string(), sleep, {}, attendance);
+  return answer ? sim::Problem{"", "it slept to the end", ""} : answer.problem();
+}
+
+TEST_CASE("A picture whose environment is read slowly says so, and is let go of at once") {
+  tests::SessionFixture fixture;
+  fixture.load(tests::breakingSlab());
+  ui::PictureJob::Order order;
+  order.frames.network = fixture.session.shown().network;
+  order.frames.scene = tests::breakingSlab();
+  order.frames.scene.view.picture.environment.image = "sky.hdr";
+  order.frames.frame = [moment = fixture.session.shown().moment](std::size_t) {
+    return sim::Result<sim::SnapshotPointer>(moment);
+  };
+  order.frames.readEnvironment = readSlowly;
+  auto job = std::make_unique<ui::PictureJob>(order);
+  REQUIRE(tests::becomesTrue([&] { return !job->view().doing.empty(); }));
+  CHECK(job->view().doing.starts_with("reading sky.hdr"));
+  CHECK_FALSE(job->view().ended);
+  QElapsedTimer clock;
+  clock.start();
+  job->stop();
+  CHECK(tests::becomesTrue([&] { return job->view().ended; }));
+  CHECK_FALSE(job->view().problem);
+  job.reset();
+  CHECK(clock.elapsed() < 5000);  // ms; the reader wants ten times that
+  // Without being asked to stop first, too.
+  job = std::make_unique<ui::PictureJob>(order);
+  REQUIRE(tests::becomesTrue([&] { return !job->view().doing.empty(); }));
+  clock.restart();
+  job.reset();
+  CHECK(clock.elapsed() < 2000);
 }
 
 TEST_CASE("A backdrop of an image that nobody named is told of") {

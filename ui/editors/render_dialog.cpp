@@ -175,6 +175,8 @@ void RenderDialog::showState() {
   QString text;
   if (view_.problem) {
     text = textOf(*view_.problem);
+  } else if (!view_.ended && !view_.doing.empty()) {
+    text = tr("Getting ready: %1…").arg(QString::fromStdString(view_.doing));
   } else if (rendering_) {
     text = tr("Drawing, %1 %").arg(static_cast<int>(100.0 * view_.share));
   } else if (!file_.isEmpty() && view_.ended) {

@@ -8,18 +8,26 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include <ImfRgbaFile.h>
 #include <png.h>
 
-// Of the many formats it knows, only Radiance's is let in.
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_HDR
-#define STBI_MAX_DIMENSIONS 8192
-#include <stb/stb_image.h>
+#include "ui/picture/radiance_file.h"
 
 namespace ui {
+
+std::optional<sim::Problem> wrongEnvironmentSize(std::int64_t width, std::int64_t height) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  if (width < 2 || height < 1 || width != 2 * height) {
+    return sim::Problem{"", "an image of " + size + " is no picture of all around",
+                        "give one by longitude and latitude, twice as wide as high"};
+  }
+  if (width > kLargestEnvironmentSide || width * height > kMostEnvironmentPixels) {
+    return sim::Problem{"", "an image of " + size + " is too large", "scale it to 4096 x 2048 or less"};
+  }
+  return std::nullopt;
+}
 
 namespace {
 
@@ -39,18 +47,6 @@ sim::Problem damaged(const std::string& kind) {
   return {"", "this " + kind + " is damaged or cut off", "open it in an image editor and save it again"};
 }
 
-std::optional<sim::Problem> wrongSize(std::int64_t width, std::int64_t height) {
-  const std::string size = std::to_string(width) + " x " + std::to_string(height);
-  if (width < 2 || height < 1 || width != 2 * height) {
-    return sim::Problem{"", "an image of " + size + " is no picture of all around",
-                        "give one by longitude and latitude, twice as wide as high"};
-  }
-  if (width > kLargestEnvironmentSide || width * height > kMostEnvironmentPixels) {
-    return sim::Problem{"", "an image of " + size + " is too large", "scale it to 4096 x 2048 or less"};
-  }
-  return std::nullopt;
-}
-
 EnvironmentImage blank(std::int64_t width, std::int64_t height) {
   EnvironmentImage image{static_cast<int>(width), static_cast<int>(height), {}};
   image.pixels.resize(static_cast<std::size_t>(width * height));
@@ -63,7 +59,7 @@ sim::Result<EnvironmentImage> readExr(const std::filesystem::path& path) {
     const auto box = file.dataWindow();
     const std::int64_t width = std::int64_t{box.max.x} - box.min.x + 1;
     const std::int64_t height = std::int64_t{box.max.y} - box.min.y + 1;
-    if (auto problem = wrongSize(width, height)) return *problem;
+    if (auto problem = wrongEnvironmentSize(width, height)) return *problem;
     EnvironmentImage image = blank(width, height);
     std::vector<Imf::Rgba> row(static_cast<std::size_t>(width));
     auto pixel = image.pixels.begin();
@@ -79,39 +75,20 @@ sim::Result<EnvironmentImage> readExr(const std::filesystem::path& path) {
   }
 }
 
-/// What stb_image reads from; it takes zeros where there is nothing more.
-struct HdrSource {
-  std::FILE* file;
-  bool ranOut = false;
-
-  static int read(void* user, char* data, int size) {
-    auto& source = *static_cast<HdrSource*>(user);
-    const auto got = std::fread(data, 1, static_cast<std::size_t>(size), source.file);
-    if (got == 0) source.ranOut = true;
-    return static_cast<int>(got);
-  }
-  static void skip(void* user, int count) {
-    std::fseek(static_cast<HdrSource*>(user)->file, count, SEEK_CUR);
-  }
-  static int atEnd(void* user) { return std::feof(static_cast<HdrSource*>(user)->file); }
-};
-
 sim::Result<EnvironmentImage> readHdr(std::FILE* file) {
-  const stbi_io_callbacks calls{HdrSource::read, HdrSource::skip, HdrSource::atEnd};
-  HdrSource source{file};
-  int width = 0, height = 0, channels = 0;
-  if (stbi_info_from_callbacks(&calls, &source, &width, &height, &channels) == 0)
-    return damaged("Radiance image");
-  if (auto problem = wrongSize(width, height)) return *problem;
-  std::rewind(file);
-  source.ranOut = false;
-  const std::unique_ptr<float, void (*)(void*)> numbers(
-      stbi_loadf_from_callbacks(&calls, &source, &width, &height, &channels, 3), stbi_image_free);
-  if (!numbers || source.ranOut) return damaged("Radiance image");
-  EnvironmentImage image = blank(width, height);
-  const float* number = numbers.get();
-  for (Light& pixel : image.pixels) {
-    for (int channel = 0; channel < 3; ++channel) pixel[channel] = cleaned(*number++);
+  // More than the largest image has, flat and with a header.
+  constexpr std::size_t kMostBytes = std::size_t{4} * kMostEnvironmentPixels + (std::size_t{1} << 20U);
+  std::vector<std::byte> bytes;
+  std::array<std::byte, 65536> piece;
+  while (bytes.size() < kMostBytes) {
+    const std::size_t got = std::fread(piece.data(), 1, piece.size(), file);
+    if (got == 0) break;
+    bytes.insert(bytes.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(got));
+  }
+  auto image = readRadiance(bytes);
+  if (!image) return image.problem();
+  for (Light& pixel : image->pixels) {
+    for (float& channel : pixel) channel = cleaned(channel);
   }
   return image;
 }
@@ -123,7 +100,7 @@ sim::Result<EnvironmentImage> readPng(std::FILE* file) {
   } png;
   png.image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_stdio(&png.image, file) == 0) return damaged("PNG");
-  if (auto problem = wrongSize(png.image.width, png.image.height)) return *problem;
+  if (auto problem = wrongEnvironmentSize(png.image.width, png.image.height)) return *problem;
   // As sRGB, whose curve is undone below: libpng takes a power of 2.2 for it. Files of 16 bits that do not
   // say what they are would be taken for linear.
   png.image.format = PNG_FORMAT_RGB;
@@ -157,14 +134,63 @@ sim::Result<EnvironmentImage> readByFirstBytes(const std::filesystem::path& path
                       "give an OpenEXR, Radiance .hdr or PNG file"};
 }
 
+/// What the reading process answers.
+sim::ByteWriter answerOf(const sim::Result<EnvironmentImage>& image) {
+  sim::ByteWriter answer;
+  answer.put<std::uint8_t>(image ? 1 : 0);
+  if (!image) {
+    answer.putString(image.problem().what);
+    answer.putString(image.problem().remedy);
+    return answer;
+  }
+  answer.put<std::int32_t>(image->width);
+  answer.put<std::int32_t>(image->height);
+  answer.putBytes(std::as_bytes(std::span(image->pixels)));
+  return answer;
+}
+
+sim::Result<EnvironmentImage> imageOf(std::span<const std::byte> bytes) {
+  sim::ByteReader answer(bytes);
+  std::uint8_t isImage = 0;
+  answer.read(isImage);
+  if (isImage == 0) {
+    sim::Problem problem;
+    answer.readString(problem.what);
+    answer.readString(problem.remedy);
+    return answer.finished() ? problem : damaged("image");
+  }
+  std::int32_t width = 0, height = 0;
+  answer.read(width);
+  answer.read(height);
+  if (auto problem = wrongEnvironmentSize(width, height)) return *problem;
+  EnvironmentImage image = blank(width, height);
+  const std::span<std::byte> room = std::as_writable_bytes(std::span(image.pixels));
+  const std::span<const std::byte> pixels = answer.readBytes(room.size());
+  if (!answer.finished() || pixels.size() != room.size()) return damaged("image");
+  std::memcpy(room.data(), pixels.data(), room.size());
+  return image;
+}
+
 }  // namespace
 
-sim::Result<EnvironmentImage> readEnvironment(const std::filesystem::path& path) {
-  auto image = readByFirstBytes(path);
-  if (image) return image;
-  sim::Problem problem = image.problem();
-  problem.place = path.string();
-  return problem;
+sim::Result<EnvironmentImage> readEnvironment(const std::filesystem::path& path,
+                                              const modeling::ReadingLimits& limits,
+                                              const modeling::Attendance& attendance) {
+  const auto located = [&](sim::Problem problem) {
+    problem.place = path.string();
+    return problem;
+  };
+  const auto answer = modeling::readApart(
+      path.filename().string(), [&path] { return answerOf(readByFirstBytes(path)); }, limits, attendance);
+  if (!answer) {
+    sim::Problem problem = answer.problem();
+    // It was read for an image, and not for a mesh.
+    if (!problem.remedy.empty())
+      problem.remedy = "scale it down, or save it anew as OpenEXR, Radiance .hdr or PNG";
+    return located(problem);
+  }
+  auto image = imageOf(*answer);
+  return image ? std::move(image) : located(image.problem());
 }
 
 }  // namespace ui

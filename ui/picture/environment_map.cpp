@@ -39,10 +39,11 @@ sim::Result<std::shared_ptr<const EnvironmentMap>> EnvironmentMap::create(Enviro
 }
 
 sim::Result<std::shared_ptr<const EnvironmentMap>> EnvironmentMap::load(
-    const modeling::EnvironmentLight& light, const std::filesystem::path& folder) {
+    const modeling::EnvironmentLight& light, const std::filesystem::path& folder,
+    const EnvironmentReader& read, const modeling::Attendance& attendance) {
   if (light.image.empty()) return std::shared_ptr<const EnvironmentMap>();
   const std::filesystem::path path = folder / light.image;
-  auto image = readEnvironment(path);
+  auto image = read(path, attendance);
   if (!image) return image.problem();
   auto map = create(std::move(*image), light.strength, light.turn);
   if (map) return map;

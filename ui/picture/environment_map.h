@@ -15,9 +15,11 @@ class EnvironmentMap {
   /// A Problem for an image that has no light. `strength` > 0; `turn` in degrees (EnvironmentLight).
   static sim::Result<std::shared_ptr<const EnvironmentMap>> create(EnvironmentImage image, double strength,
                                                                    double turn);
-  /// Reads what `light` names, `folder` being where it is looked for. Null where it names nothing.
+  /// Reads what `light` names by `read`, `folder` being where it is looked for. Null where it names nothing.
   static sim::Result<std::shared_ptr<const EnvironmentMap>> load(const modeling::EnvironmentLight& light,
-                                                                 const std::filesystem::path& folder);
+                                                                 const std::filesystem::path& folder,
+                                                                 const EnvironmentReader& read,
+                                                                 const modeling::Attendance& attendance = {});
 
   /// From a unit direction.
   Light radiance(const Vec3f& direction) const;

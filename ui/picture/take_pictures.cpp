@@ -95,11 +95,13 @@ TakePictures::TakePictures(PictureFrames frames, const PictureChoices& choices)
     : frames_(std::move(frames)), choices_(choices), surfaceBuilder_(*frames_.network, choices.looseNodes) {}
 
 sim::Result<TakePictures> TakePictures::create(PictureFrames frames, std::size_t first, std::size_t last,
-                                               double aspect, const PictureChoices& choices) {
+                                               double aspect, const PictureChoices& choices,
+                                               const modeling::Attendance& attendance) {
   const auto box = boxOfFrames(frames, first, last);
   if (!box) return box.problem();
   if (auto status = modeling::checkPictureStyle(frames.scene.view.picture); !status) return status.problem();
-  auto environment = EnvironmentMap::load(frames.scene.view.picture.environment, frames.folder);
+  auto environment = EnvironmentMap::load(frames.scene.view.picture.environment, frames.folder,
+                                          frames.readEnvironment, attendance);
   if (!environment) return environment.problem();
   TakePictures pictures(std::move(frames), choices);
   pictures.environment_ = std::move(*environment);

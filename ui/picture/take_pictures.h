@@ -19,6 +19,10 @@ struct PictureFrames {
   modeling::Scene scene;
   double framesPerSecond = 24.0;
   std::filesystem::path folder;  ///< where the image of the environment is looked for
+  EnvironmentReader readEnvironment = [](const std::filesystem::path& path,
+                                         const modeling::Attendance& attendance) {
+    return ui::readEnvironment(path, {}, attendance);
+  };
   std::function<sim::Result<sim::SnapshotPointer>(std::size_t)> frame;
 };
 
@@ -39,9 +43,11 @@ struct PictureChoices {
 class TakePictures {
  public:
   /// Pictures of frames [first, last], which all have one camera: the scene's view, or one that sees all of
-  /// them. A Problem when a frame or the image of the environment cannot be read.
+  /// them. A Problem when a frame or the image of the environment cannot be read; who waits for the image is
+  /// told, and can give up.
   static sim::Result<TakePictures> create(PictureFrames frames, std::size_t first, std::size_t last,
-                                          double aspect, const PictureChoices& choices = {});
+                                          double aspect, const PictureChoices& choices = {},
+                                          const modeling::Attendance& attendance = {});
 
   sim::Result<PictureScene> sceneOf(std::size_t frame);
 

@@ -21,7 +21,15 @@ class Drawing {
 
   sim::Status drawAll() {
     const double aspect = static_cast<double>(order_.settings.width) / std::max(1, order_.settings.height);
-    auto pictures = TakePictures::create(order_.frames, order_.first, order_.last, aspect, order_.choices);
+    modeling::Attendance attendance;
+    attendance.tell = [this](const std::string& words) {
+      job_.value.doing = words;
+      job_.publish();
+    };
+    attendance.gaveUp = [this] { return job_.cancelled(); };
+    auto pictures =
+        TakePictures::create(order_.frames, order_.first, order_.last, aspect, order_.choices, attendance);
+    job_.value.doing.clear();
     if (!pictures) return pictures.problem();
     if (isVideoPath(order_.out)) return drawVideo(*pictures);
     return drawFrames(*pictures, order_.out);

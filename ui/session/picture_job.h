@@ -28,6 +28,8 @@ class PictureJob {
     std::shared_ptr<const Image> image;  ///< null before the first samples
     std::size_t frame = 0;
     double share = 0.0;  ///< of all frames
+    std::string
+        doing;  ///< what takes its time before the first samples: "reading sky.hdr, 3 s"; "": nothing does
     bool ended = false;
     std::optional<sim::Problem> problem;  ///< why it ended early; nothing for one that was stopped
   };
