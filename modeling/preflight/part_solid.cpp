@@ -34,6 +34,11 @@ double shortestEdge(const CornerPositions& corners) {
   return std::isfinite(shortest) ? shortest : 0.0;
 }
 
+double longestEdge(const std::vector<Vec3>& points, const Triangle& triangle) {
+  const Vec3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
 double meanEdge(const sim::Network& network, const PartCells& part) {
   double sum = 0.0;
   for (const sim::CellCorners& cell : part.cells)
@@ -128,31 +133,29 @@ void PartSolid::prepare() {
 /// A circle through the corners of a chord of length e, whose neighbours turn by an angle t, bulges by
 /// e/2 tan(t/4) over it.
 void PartSolid::measureFacets(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
-  struct Facet {
-    Vec3 normal;
-    double longest;
-  };
-  std::vector<Facet> facets;
+  std::vector<Vec3> normals;
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> firstOf;
-  cutOff_.assign(triangles.size(), 0.0F);
+  // By corner: where a curve ends at an edge, what is nearest to a point beyond it may be a triangle across.
+  std::vector<float> bulges(points.size(), 0.0F);
   const auto meet = [&](std::uint32_t t, std::uint32_t other) {
-    const double turn = facets[t].normal.dot(facets[other].normal);
+    const double turn = normals[t].dot(normals[other]);
     if (turn < kSmooth) return;
-    const double bulge = kBothWays * 0.5 * std::tan(std::acos(std::min(turn, 1.0)) / 4.0);
-    for (const std::uint32_t facet : {t, other})
-      cutOff_[facet] = std::max(cutOff_[facet], static_cast<float>(bulge * facets[facet].longest));
+    const double share = kBothWays * 0.5 * std::tan(std::acos(std::min(turn, 1.0)) / 4.0);
+    for (const std::uint32_t facet : {t, other}) {
+      const auto bulge = static_cast<float>(share * longestEdge(points, triangles[facet]));
+      for (const std::uint32_t point : triangles[facet]) bulges[point] = std::max(bulges[point], bulge);
+    }
   };
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const auto at = [&](std::size_t c) -> const Vec3& { return points[triangles[t][c % 3]]; };
-    const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
-    facets.push_back(
-        {normal, std::max({(at(1) - at(0)).norm(), (at(2) - at(1)).norm(), (at(0) - at(2)).norm()})});
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax(triangles[t][c], triangles[t][(c + 1) % 3]);
+    const auto& [a, b, c] = triangles[t];
+    normals.push_back((points[b] - points[a]).cross(points[c] - points[a]).stableNormalized());
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto [low, high] = std::minmax(triangles[t][corner], triangles[t][(corner + 1) % 3]);
       const auto [entry, isNew] = firstOf.try_emplace({low, high}, t);
       if (!isNew) meet(t, entry->second);
     }
   }
+  for (const auto& [a, b, c] : triangles) cutOff_.push_back(std::max({bulges[a], bulges[b], bulges[c]}));
 }
 
 std::optional<PartSolid::Inside> PartSolid::inside(const Vec3& point, double tolerance,
