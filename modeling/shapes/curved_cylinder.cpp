@@ -87,8 +87,12 @@ class Sweeper {
  public:
   Sweeper(const CurvedCylinderShape& shape, std::vector<SweepStation> stations)
       : shape_(shape), stations_(std::move(stations)), along_(static_cast<int>(stations_.size()) - 1) {
-    const auto count = static_cast<double>(stations_.size());
-    for (const SweepStation& station : stations_) {
+    // Of a sweep that is so long that it will be refused, not every station is worth measuring.
+    constexpr std::size_t kMostMeasured = 20'000;
+    const std::size_t stride = 1 + stations_.size() / kMostMeasured;
+    const auto count = static_cast<double>((stations_.size() + stride - 1) / stride);
+    for (std::size_t s = 0; s < stations_.size(); s += stride) {
+      const SweepStation& station = stations_[s];
       meanWidth_ += 2.0 * station.halfWidth / count;
       meanDepth_ += 2.0 * station.halfDepth / count;
       meanAround_ += midWall(shape, station).length() / count;
@@ -188,6 +192,8 @@ sim::Result<Lattice> build(const CurvedCylinderShape& shape) {
   if (!path) return path.problem();
   const auto along = cellsAlong(shape.resolution, 0, path->length());
   if (!along) return along.problem();
+  // No section has fewer than four nodes; before anything is measured.
+  if (auto problem = checkNodeCount(4.0 * (*along + 1.0))) return *problem;
   const auto stations = path->stations(*along);
   if (!stations) return stations.problem();
   if (auto problem = checkWall(shape, *stations)) return *problem;

@@ -112,10 +112,11 @@ std::string damagedInput(const std::string& whole, const std::string& other, Nat
   std::string bytes = whole;
   // One or, now and then, some of them.
   for (std::size_t n = chance.below(4) == 0 ? 3 : 1; n > 0 && !bytes.empty(); --n) {
-    const bool byNature = chance.below(3) > 0;
+    // Few other damages leave JSON that can be read.
+    const bool byNature = chance.below(nature == Nature::json ? 12 : 3) > 0;
     if (!byNature) {
       damageBytes(bytes, other, chance);
-    } else if (nature == Nature::json && chance.below(4) > 0) {
+    } else if (nature == Nature::json && chance.below(8) > 0) {
       damageJson(bytes, chance);
     } else if (nature == Nature::take) {
       damageTake(bytes, chance);

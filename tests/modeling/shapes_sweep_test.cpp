@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -201,6 +202,19 @@ TEST_CASE("Rails are where the section begins and ends", "[shapes]") {
   CHECK(holds(Vec3(0, -0.5, 2)));
   CHECK(holds(Vec3(8, 0.5, 3)));
   CHECK(holds(Vec3(6, 0, 4)));
+}
+
+TEST_CASE("A sweep far too long for its cells is refused before it is measured", "[shapes]") {
+  for (const SweepSection section : {SweepSection::disc, SweepSection::ring}) {
+    CurvedCylinderShape shape = straight(section, 0.8, 0.8);
+    shape.curve = {modeling::straightSegment(Vec3(0, 0, 0), Vec3(0, 0, 2e6))};
+    const auto start = std::chrono::steady_clock::now();
+    const auto lattice = build(shape);
+    REQUIRE_FALSE(lattice.ok());
+    CHECK(lattice.problem().place == "resolution");
+    // Measuring four million sections took a minute; this takes no time but for a busy machine's.
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+  }
 }
 
 TEST_CASE("Sweeps that cannot be are problems with a remedy", "[shapes]") {
