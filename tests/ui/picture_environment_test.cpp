@@ -184,8 +184,8 @@ TEST_CASE("Radiance images in runs of each share are read to the same numbers as
   for (std::size_t length = 0; length < runs.size(); ++length)
     CHECK_FALSE(ui::readRadiance(bytesOfText(runs.substr(0, length))));
   // The oldest kind repeats whole pixels.
-  const std::string repeated =
-      std::string("#?RADIANCE\n\n-Y 1 +X 8\n\x10\x20\x30\x80", 27) + "\x01\x01\x01\x07";
+  std::string repeated = "#?RADIANCE\n\n-Y 1 +X 8\n";
+  for (const char* pixel : {"\x10\x20\x30\x80", "\x01\x01\x01\x07"}) repeated += pixel;
   const auto old = ui::readRadiance(bytesOfText(repeated));
   REQUIRE(old);
   CHECK((old->pixels.back() == old->pixels.front()).all());
