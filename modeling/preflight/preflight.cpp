@@ -108,9 +108,10 @@ sim::Result<Preflight> preflight(const Scene& scene, const BuiltScene& built, in
   found.stableStep = (*simulation)->step();
   found.stableStepLimit = (*simulation)->stepLimit();
   found.step = scene.solver.step.seconds.value_or(found.stableStep);
-  found.steps = scene.solver.step.seconds ? std::ceil(scene.output.duration / found.step)
-                                          : expectedSteps(**simulation, built.conditions.environment,
-                                                          built.conditions.tracks, scene.output.duration);
+  found.steps = scene.solver.step.seconds
+                    ? std::ceil(scene.output.duration / found.step)
+                    : expectedSteps(**simulation, built.conditions.environment, built.conditions.tracks,
+                                    settings.skip.rigid, scene.output.duration);
   found.stepsPerSecond = scene.output.duration > 0.0 ? found.steps / scene.output.duration : 1.0 / found.step;
   found.frames = std::floor(std::min(scene.output.duration * scene.output.fps, found.steps)) + 1.0;
   const std::optional<double> wallSecondsPerStep = measureStep(**simulation, keepGoing);

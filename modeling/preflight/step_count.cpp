@@ -80,7 +80,7 @@ void fly(Flight& flight, const Vec3& gravity, const std::vector<sim::Collider>& 
 }  // namespace
 
 double expectedSteps(const sim::Simulation& simulation, const sim::Environment& environment,
-                     const std::vector<sim::Track>& tracks, double duration) {
+                     const std::vector<sim::Track>& tracks, bool freezesInFlight, double duration) {
   std::vector<Flight> flights = flightsOf(simulation);
   const double part = duration / kParts;
   std::vector<sim::Simulation::Pace> paces;
@@ -92,7 +92,8 @@ double expectedSteps(const sim::Simulation& simulation, const sim::Environment& 
       fly(flight, gravity, environment.colliders, time, part);
       speed = std::max(speed, flight.speed());
     }
-    paces.push_back({time, speed});
+    const bool allFly = std::ranges::all_of(flights, [](const Flight& flight) { return flight.flies(); });
+    paces.push_back({time, speed, !(freezesInFlight && allFly)});
   }
   double steps = 0.0;
   for (const double step : simulation.stepsAt(paces)) steps += part / step;

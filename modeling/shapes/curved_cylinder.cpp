@@ -87,12 +87,8 @@ class Sweeper {
  public:
   Sweeper(const CurvedCylinderShape& shape, std::vector<SweepStation> stations)
       : shape_(shape), stations_(std::move(stations)), along_(static_cast<int>(stations_.size()) - 1) {
-    // Of a sweep that is so long that it will be refused, not every station is worth measuring.
-    constexpr std::size_t kMostMeasured = 20'000;
-    const std::size_t stride = 1 + stations_.size() / kMostMeasured;
-    const auto count = static_cast<double>((stations_.size() + stride - 1) / stride);
-    for (std::size_t s = 0; s < stations_.size(); s += stride) {
-      const SweepStation& station = stations_[s];
+    const auto count = static_cast<double>(stations_.size());
+    for (const SweepStation& station : stations_) {
       meanWidth_ += 2.0 * station.halfWidth / count;
       meanDepth_ += 2.0 * station.halfDepth / count;
       meanAround_ += midWall(shape, station).length() / count;

@@ -69,7 +69,8 @@ double Simulation::step() const {
 std::vector<double> Simulation::stepsAt(std::span<const Pace> paces) const {
   const Stiffest touching = state_->stepper.stiffestNow();
   std::vector<double> steps;
-  for (const Pace& pace : paces) steps.push_back(state_->stepper.stepAt(pace.time, pace.speed, touching));
+  for (const Pace& pace : paces)
+    steps.push_back(state_->stepper.stepAt(pace.time, pace.speed, pace.deforms, touching));
   return steps;
 }
 StepLimit Simulation::stepLimit() const {

@@ -44,10 +44,11 @@ class Simulation {
   double time() const;
   double step() const;  ///< s: the step being used now
   StepLimit stepLimit() const;
-  /// A time (s) and how fast the fastest node then is (cm/s).
+  /// A time (s), how fast the fastest node then is (cm/s), and whether anything deforms then.
   struct Pace {
     double time = 0.0;
     double speed = 0.0;
+    bool deforms = true;
   };
   /// s: about how long the step will be at each of these, if things touch as they do now.
   std::vector<double> stepsAt(std::span<const Pace> paces) const;

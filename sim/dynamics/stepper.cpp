@@ -226,12 +226,13 @@ Stiffest Stepper::stiffestNow() const {
   return stiffestContacts(world_.contacts, moment, world_.forces);
 }
 
-double Stepper::stepAt(double time, double speed, const Stiffest& touching) const {
+double Stepper::stepAt(double time, double speed, bool deforms, const Stiffest& touching) const {
   Controls then = world_.controls;
   then.moveTo(time);
   StepLength::Scene scene;
   scene.stiffnessScale = then.largestStiffnessScale();
   scene.dampingScale = then.largestDampingScale();
+  scene.latticeMoves = deforms;
   scene.contactRateSquared = touching.rateSquared;
   scene.contactDamping = touching.damping;
   scene.speed = speed;

@@ -28,7 +28,7 @@ class Stepper {
   /// What touches now.
   Stiffest stiffestNow() const;
   /// s: how long the step will be at a time (s) at which no node is faster than `speed` (cm/s).
-  double stepAt(double time, double speed, const Stiffest& touching) const;
+  double stepAt(double time, double speed, bool deforms, const Stiffest& touching) const;
 
   const World& world() const { return world_; }
   const StepLength& length() const { return length_; }
