@@ -55,9 +55,7 @@ class ObjReader {
     isObj_ = true;
     const auto point = pointOf(rest, place);
     if (!point) return point.problem();
-    // In single precision, as these files have always been read: runs of old scenes stay the same, to the
-    // bit.
-    raw_.points.emplace_back(point->cast<float>().cast<double>());
+    raw_.points.push_back(*point);
     return sim::Done{};
   }
 
