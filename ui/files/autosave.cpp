@@ -35,7 +35,7 @@ struct Autosave::Order {
   std::uint64_t number = 0;
   modeling::Scene scene;
   QJsonObject state;
-  QDateTime when;  ///< takes that were begun later are not in it
+  QDateTime when;
 
   bool saysTheSame(const Order& other) const { return scene == other.scene && state == other.state; }
 };
@@ -94,6 +94,8 @@ Autosave::Autosave(Session& session, fs::path folder)
   timer_.setInterval(kSeconds * 1000);
   timer_.start();
   connect(&timer_, &QTimer::timeout, this, &Autosave::begin);
+  connect(&session_.document(), &Document::replaced, this,
+          [this] { opened_ = QDateTime::currentDateTime(); });
   // Not in the middle of what changes them.
   connect(&session_.document(), &Document::statusChanged, this, &Autosave::begin, Qt::QueuedConnection);
   connect(&session_.takes(), &TakeList::changed, this, &Autosave::begin, Qt::QueuedConnection);
@@ -117,6 +119,7 @@ QJsonObject Autosave::state(bool modified) const {
   return {{"file", text(document.file())},
           {"folder", text(document.folder())},
           {"stamp", QString::fromStdString(document.fileStamp().text())},
+          {"opened", opened_.toString(Qt::ISODateWithMs)},
           {"modified", modified},
           {"takes", takes}};
 }
@@ -150,9 +153,10 @@ void Autosave::begin() {
 }
 
 void Autosave::write() {
-  const auto order = newOrder();
-  if (!order) return;
-  if (const sim::Status written = writer_->write(*order); !written) session_.report(written.problem());
+  static_cast<void>(newOrder());
+  // One that the thread has not written yet is as good.
+  if (!ordered_) return;
+  if (const sim::Status written = writer_->write(*ordered_); !written) session_.report(written.problem());
 }
 
 }  // namespace ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QJsonObject>
 #include <QLockFile>
 #include <QObject>
@@ -50,8 +51,9 @@ class Autosave : public QObject {
   std::shared_ptr<Writer> writer_;
   std::shared_ptr<const Order> ordered_;  ///< what was written last, or is about to be; null: nothing yet
   std::uint64_t orders_ = 0;
-  std::uint64_t failed_ = 0;  ///< number of the worker's request that failed last
-  std::string told_;          ///< why
+  std::uint64_t failed_ = 0;                         ///< number of the worker's request that failed last
+  std::string told_;                                 ///< why
+  QDateTime opened_ = QDateTime::currentDateTime();  ///< when the document was: takes begun since are its own
   BackgroundWorker<std::shared_ptr<const Order>, bool> worker_;
 };
 

@@ -32,14 +32,15 @@ QDateTime begunAt(const QString& take) {
   return QDateTime::fromString(take.mid(5, 19), QStringLiteral("yyyyMMdd-hhmmss-zzz"));
 }
 
-/// Those that the state names, in the order they were made in, and those that are younger than it: a folder
-/// may have takes of other scenes, which were open before. Where there is no state, all.
+/// Those that the state names, in the order they were made in, and those that were begun since the scene
+/// was opened: a folder may have takes of other scenes, which were open before. Where there is no state, all.
 void findTakes(const std::optional<QJsonObject>& names, Leftover& left) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(left.folder, error)) {
     if (entry.path().extension() != ".take") continue;
     const QString name = text(entry.path().filename());
-    if (!names || names->contains(name) || begunAt(name) > left.when)
+    const bool since = left.opened.isValid() && begunAt(name) >= left.opened;
+    if (!names || names->contains(name) || since)
       left.takes.push_back(takeOf(entry.path(), names ? (*names)[name].toObject() : QJsonObject()));
   }
   std::ranges::sort(left.takes, {}, &LeftTake::file);
@@ -64,6 +65,7 @@ std::optional<QJsonObject> readState(Leftover& left) {
   left.baseFolder = state["folder"].toString().toStdString();
   left.stamp = modeling::FileStamp::fromText(state["stamp"].toString().toStdString());
   left.modified = state["modified"].toBool(true);
+  left.opened = QDateTime::fromString(state["opened"].toString(), Qt::ISODateWithMs);
   left.when = QDateTime::fromString(state["when"].toString(), Qt::ISODateWithMs);
   return state["takes"].toObject();
 }

@@ -27,6 +27,7 @@ struct Leftover {
   bool modified = true;              ///< the scene is not what its file holds
   std::vector<LeftTake> takes;       ///< of this scene
   QDateTime when;
+  QDateTime opened;                  ///< when the scene was
   std::vector<sim::Problem> faults;  ///< what of it is damaged; it is kept, whatever is made of the rest
   bool readable = true;              ///< false: nothing can be made of it
   std::shared_ptr<QLockFile> lock;
