@@ -116,12 +116,6 @@ void TakesPanel::makeButtons() {
   connect(open_, &QAction::triggered, this, &TakesPanel::open);
 }
 
-void TakesPanel::takeNote() {
-  const std::size_t take = selected();
-  if (take < session_.takes().size() && session_.takes()[take].note != note_->text())
-    session_.takes().setNote(take, note_->text());
-}
-
 /// In the list Delete and F2 are meant for takes, not for what is selected in the scene.
 bool TakesPanel::eventFilter(QObject* watched, QEvent* event) {
   const bool asked = event->type() == QEvent::ShortcutOverride;

@@ -29,7 +29,6 @@ class TakesPanel : public QWidget {
   QWidget* makeEmpty();
   void makeButtons();
   void showTakes();
-  void takeNote();
   void selectInList();
   std::size_t selected() const;
   void takeNote();
