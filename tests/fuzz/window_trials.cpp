@@ -5,7 +5,7 @@
 
 #include "modeling/scene/scene_file.h"
 #include "tests/fuzz/trials.h"
-#include "ui/files/autosave.h"
+#include "ui/files/leftovers.h"
 #include "ui/files/kept_takes.h"
 
 namespace tests {
@@ -70,10 +70,11 @@ Finding tryRecovery(const fs::path& folder) {
   fs::create_directories(left);
   for (const char* name : {"autosave.json", "autosave.scene.json", "run.take"})
     fs::copy_file(folder / name, left / name);
-  const std::vector<ui::Leftover> leftovers = ui::Autosave::leftovers(root);
+  const std::vector<ui::Leftover> leftovers = ui::leftoversIn(root);
   if (!fs::exists(left / "run.take")) return "WRONG: the take is gone";
   if (leftovers.size() != 1)
     return "WRONG: " + std::to_string(leftovers.size()) + " leftovers, though there is a take";
+  if (!leftovers[0].readable && leftovers[0].faults.empty()) return "WRONG: no word about what is damaged";
   ui::Session session(folder / "recordings");
   session.document().reset(leftovers[0].scene, leftovers[0].file);
   session.takes().adopt(leftovers[0].takes);
