@@ -5,8 +5,8 @@
 
 #include "modeling/scene/scene_file.h"
 #include "tests/fuzz/trials.h"
-#include "ui/files/leftovers.h"
 #include "ui/files/kept_takes.h"
+#include "ui/files/leftovers.h"
 
 namespace tests {
 namespace {

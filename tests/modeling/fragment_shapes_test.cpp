@@ -9,7 +9,6 @@
 
 namespace {
 
-
 /// A triangle that is known by its number.
 std::array<modeling::ShapeVertex, 3> triangle(std::size_t number) {
   std::array<modeling::ShapeVertex, 3> corners{};

@@ -11,9 +11,8 @@
 
 #include <png.h>
 
-#include "ui/picture/radiance_file.h"
-
 #include "ui/picture/exr_file.h"
+#include "ui/picture/radiance_file.h"
 
 namespace ui {
 

@@ -27,11 +27,11 @@ inline constexpr int kMostEnvironmentPixels = 4096 * 2048 * 2;
 /// has no place.
 std::optional<sim::Problem> wrongEnvironmentSize(std::int64_t width, std::int64_t height);
 
-/// Reads OpenEXR (in layers too, exr_file.h), Radiance .hdr, or PNG (whose white is 1), told apart by their first bytes, in a process of
-/// its own (modeling/import/reading_process.h): within the limits, whatever the file does to its reader, and
-/// no longer than someone waits. A Problem for what cannot be read, is damaged or cut off, too large, or not
-/// twice as wide as high, and where the reader itself failed or was too slow. What is no number or below zero
-/// in it is black.
+/// Reads OpenEXR (in layers too, exr_file.h), Radiance .hdr, or PNG (whose white is 1), told apart by their
+/// first bytes, in a process of its own (modeling/import/reading_process.h): within the limits, whatever the
+/// file does to its reader, and no longer than someone waits. A Problem for what cannot be read, is damaged
+/// or cut off, too large, or not twice as wide as high, and where the reader itself failed or was too slow.
+/// What is no number or below zero in it is black.
 sim::Result<EnvironmentImage> readEnvironment(const std::filesystem::path& path,
                                               const modeling::ReadingLimits& limits = {},
                                               const modeling::Attendance& attendance = {});

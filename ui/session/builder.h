@@ -27,7 +27,7 @@ struct Preview {
   std::vector<FailedGluing> failedGluings;
   sim::SnapshotPointer rest;            ///< of `built` or `unglued`, before anything moves; null without both
   std::optional<sim::Problem> problem;  ///< of gluings, the first
-  bool isAbandoned = false;  ///< it ended before it was ready, as a newer was asked for
+  bool isAbandoned = false;             ///< it ended before it was ready, as a newer was asked for
 };
 
 /// Turns the scene into a lattice while it is edited, in a thread of its own (BackgroundWorker).
