@@ -30,9 +30,17 @@ Files filesOfXyz(const ExportRequest& request) {
   return {{request.path, &kinds::xyz}};
 }
 
+/// FILE.obj.mtl, beside each surface.
+PlannedFile materialsOf(std::filesystem::path surface) {
+  return {surface += ".mtl", &kinds::mtl};
+}
+
 Files filesOfObj(const ExportRequest& request) {
-  Files files = framesOf(request, kinds::obj);
-  files.push_back({withEnding(request.path, ".mtl"), &kinds::mtl});
+  Files files;
+  for (PlannedFile& frame : framesOf(request, kinds::obj)) {
+    files.push_back(materialsOf(frame.path));
+    files.push_back(std::move(frame));
+  }
   return files;
 }
 
@@ -43,7 +51,7 @@ Files filesOfPly(const ExportRequest& request) {
 Files filesOfPc2(const ExportRequest& request) {
   return {{request.path, &kinds::pc2},
           {withEnding(request.path, ".obj"), &kinds::obj},
-          {withEnding(request.path, ".mtl"), &kinds::mtl}};
+          materialsOf(withEnding(request.path, ".obj"))};
 }
 
 Files filesOfVtk(const ExportRequest& request) {

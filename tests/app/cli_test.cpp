@@ -219,8 +219,9 @@ TEST_CASE("a wrong input ends with status 2 and one line that says where and how
   const std::pair<std::string, std::string> wrong[] = {
       {"simulate " + scene + " --method rk5", "--method:1:1: method does not know \"rk5\"; did you mean"},
       {"simulate " + scene + " --step nan", "--step:1:1: step does not know \"nan\"; did you mean \"auto\""},
-      {"simulate " + scene + " --tolerance 2", "--tolerance:1:14: tolerance holds 2; give a number above 0"},
-      {"simulate " + scene + " --until -1", "--until:1:1: duration holds -1; give a number of at least 0"},
+      {"simulate " + scene + " --tolerance 2",
+       "--tolerance:1:14: tolerance holds 2; give a number from 1e-12 to 1"},
+      {"simulate " + scene + " --until -1", "--until:1:1: duration holds -1; give a number from 0 to 1e+06"},
       {"simulate " + scene + " --set output.fsp=3",
        "--set output.fsp:1:1: there is no key \"fsp\" here; did you mean \"fps\""},
       {"simulate " + scene + " --threads -3", "command line: "},
@@ -293,7 +294,10 @@ TEST_CASE("a step that cannot be stable is refused before anything is recorded")
 
 TEST_CASE("a blow-up ends with status 1, names its cause, and keeps what was recorded") {
   const PlateFolder folder;
-  const auto answer = simulate(folder, "run", "--set parts.plate.velocity=[0,0,-4e10]");  // light: 3e10
+  // Nothing a scene may ask for by itself is faster than light; this falls until it is.
+  const auto answer = simulate(folder, "run",
+                               "--set environment.gravity=[0,0,-1e8] --set environment.colliders=[] "
+                               "--set 'tracks=[{\"target\":\"gravity.scale\",\"keys\":[[0,1e6]]}]'");
   INFO(answer.errors);
   CHECK(answer.status == 1);
   CHECK(answer.errors.find("biscuit") != std::string::npos);
@@ -317,7 +321,10 @@ TEST_CASE("info says what a scene will be before it runs") {
   CHECK(flight["stable_step_limited_by"] == "contact");  // an edge is about to meet the floor
   CHECK(flight["worst_cells"].size() == 5);
   CHECK(flight["stable_step_s"].get<double>() > 0.0);
-  CHECK(flight["steps"].get<double>() == Approx(0.03 / flight["step_s"].get<double>()).epsilon(0.1));
+  // Where all fly rigidly, steps are up to twice as long.
+  const double most = 0.03 / flight["step_s"].get<double>();
+  CHECK(flight["steps"].get<double>() < most + 1.0);
+  CHECK(flight["steps"].get<double>() > 0.5 * most);
   CHECK(flight["frames"] == 16);
   CHECK(tests::runCli("info " + folder.scene()).output.find("stable step s") != std::string::npos);
 }

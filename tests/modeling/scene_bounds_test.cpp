@@ -225,7 +225,7 @@ TEST_CASE(
   const std::string track =
       R"("tracks": [{"target": "stiffness.scale", "keys": [[0, 1], [1, 1e7]]}], "parts")";
   CHECK(answerOf(tests::replaced(tests::kPlainScene, "\"parts\"", track)) ==
-        "s:4:74: keys holds 1e+07; give a number from 0 to 1e+06");
+        "s:4:65: keys holds 1e+07; give a number from 0 to 1e+06");
 
   Scene scene = sceneOf(kPartKinds[0], kColliderKinds[0]);
   scene.parts[0].worldFromPart.position.x() = 1e300;

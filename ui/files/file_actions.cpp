@@ -60,7 +60,7 @@ FileActions::FileActions(Session& session, RecentFiles& recent, QWidget* window)
   save_ = action("save", tr("&Save"), QKeySequence::Save, [this] { save(); });
   saveAs_ =
       action("save", tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
-  reload_ = action("restart", tr("Reloa&d"), {}, [this] { reload(); });
+  reload_ = action("restart", tr("Re&load"), {}, [this] { reload(); });
   saveTake_ = action("film", tr("Save &Take As…"), {}, [this] {
     const auto take = session_.takes().current();
     if (!take) return;
