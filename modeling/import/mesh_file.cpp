@@ -10,6 +10,7 @@
 #include "modeling/import/mesh_bodies.h"
 #include "modeling/import/mesh_reader.h"
 #include "modeling/import/mesh_units.h"
+#include "modeling/text/printable.h"
 #include "sim/collider/surface_check.h"
 
 namespace modeling {
@@ -170,7 +171,8 @@ sim::Result<MeshFile> loadMesh(const std::filesystem::path& folder, const MeshSo
   auto loaded = load(folder, source, attendance);
   if (loaded.ok()) return loaded;
   const Problem& problem = loaded.problem();
-  return Problem{problem.place, source.file + ": " + problem.what, problem.remedy};
+  // It may quote what stands in the file, whatever that is.
+  return Problem{problem.place, printable(source.file + ": " + problem.what), problem.remedy};
 }
 
 }  // namespace modeling

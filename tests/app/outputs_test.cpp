@@ -87,7 +87,6 @@ TEST_CASE("an output never replaces what is read, a folder, another output or a 
                                       "export T --format xyz --out thesis.txt",
                                       "export T --format csv --out S",
                                       "export T --format obj --out twin.take --frames 0",
-                                      "export T --format obj --out x.mtl --frames 0",
                                       "render T --out T",
                                       "render T --out thesis.txt",
                                       "render T --out twin.take",

@@ -166,18 +166,22 @@ json everyKeyOf(const Scene& scene) {
   return root;
 }
 
-TEST_CASE("whatever a number of a scene is, the scene is built or refused with a reason") {
-  std::size_t refused = 0, done = 0;
+/// Every `stride`th of all numbers with all values that are tried.
+void tryNumbers(std::size_t stride) {
+  std::size_t refused = 0, done = 0, trial = 0;
   for (std::size_t kind = 0; kind < std::size(kPartKinds); ++kind) {
     const json whole =
         everyKeyOf(sceneOf(kPartKinds[kind], kColliderKinds[kind % std::size(kColliderKinds)]));
-    INFO(triedOut(whole.dump()));
-    REQUIRE(triedOut(whole.dump()).empty());
+    REQUIRE(triedOut(whole.dump()) == "");
     std::vector<std::string> places;
     collect(whole, "", places);
     CHECK(places.size() > 40);
     for (const std::string& place : places) {
+      // What scenes of all kinds have is tried with one.
+      const bool ofKind = place.starts_with("/parts") || place.starts_with("/environment/colliders");
+      if (kind > 0 && !ofKind) continue;
       for (const double value : kTries) {
+        if (trial++ % stride != 0) continue;
         json changed = whole;
         changed[json::json_pointer(place)] = value;
         INFO(place << " = " << value);
@@ -188,8 +192,18 @@ TEST_CASE("whatever a number of a scene is, the scene is built or refused with a
       }
     }
   }
-  CHECK(done > 1000);
-  CHECK(refused > 1000);
+  // Neither is rare: about half of the values are out of most bounds.
+  CHECK(4 * done > trial / stride);
+  CHECK(4 * refused > trial / stride);
+}
+
+// Eleven and eight values have no common divisor, so that all values come.
+TEST_CASE("whatever a number of a scene is, the scene is built or refused with a reason") {
+  tryNumbers(11);
+}
+
+TEST_CASE("whatever any number of a scene is, the scene is built or refused with a reason", "[large]") {
+  tryNumbers(1);
 }
 
 TEST_CASE("every kind of part and obstacle at every corner of its bounds is built or refused") {
