@@ -4,8 +4,8 @@
 
 #include <catch2/catch_all.hpp>
 
-// What the tests use of Catch2's version 2, in terms of version 3, which took its single header apart. On the include
-// path only where there is no version 2.
+// What the tests use of Catch2's version 2, in terms of version 3, which took its single header apart. On the
+// include path only where there is no version 2.
 
 using Catch::Approx;
 
