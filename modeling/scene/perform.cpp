@@ -9,8 +9,8 @@
 namespace modeling {
 namespace {
 
-/// Of a step. A time that a person can tell from that of the step, also before the first one.
-constexpr double kMoment = 0.5;
+/// Of a step: no method shortens one to so little.
+constexpr double kMoment = 0x1p-40;
 
 bool isGravity(const TargetName& target) {
   return target.target == sim::TrackTarget::gravity;

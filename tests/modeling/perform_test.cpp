@@ -236,15 +236,4 @@ TEST_CASE("a collider that goes before it comes is refused") {
   CHECK(modeling::checkScene(scene).problem().place == "environment.colliders[0].active");
 }
 
-TEST_CASE("what is performed before the first step has a time that can be told from the start") {
-  Performance live(tableScene(sim::Method::velocityVerlet, true));
-  live.key("gravity.scale", 5.0);
-  REQUIRE(live.scene().tracks.back().keys.size() == 2);
-  const double time = live.scene().tracks.back().keys.back().time;
-  CHECK(time > 1e-3 * live.simulation().step());
-  CHECK(time < live.simulation().step());
-  live.runTo(0.002);
-  checkReplay(live);
-}
-
 }  // namespace
