@@ -48,7 +48,7 @@ class Desk {
       if (word == "T") word = "t.take";
       all.append(" ").append(word);
     }
-    return tests::runCommand("cd " + folder_.string() + " && " SMITHEREENS_CLI + all);
+    return tests::runCommand("cd " + folder_.string() + " && \"" SMITHEREENS_CLI "\"" + all);
   }
   /// All files with what is in them.
   std::map<std::string, std::string> content() const {

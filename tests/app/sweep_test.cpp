@@ -102,7 +102,7 @@ TEST_CASE("a sweep that is asked to end takes its runs along and keeps what had 
          "kill -$3 $child\nwait $child\necho status $?\n"
          "echo left $(ps -eo args | grep -c \"[s]imulate $2\")\n";
   for (const std::string signal : {"TERM", "INT", "HUP", "KILL"}) {
-    const auto answer = tests::runCommand("bash " + folder.path + "/stop.bash " + SMITHEREENS_CLI + " " +
+    const auto answer = tests::runCommand("bash " + folder.path + "/stop.bash \"" SMITHEREENS_CLI "\" " +
                                           folder.path + " " + signal + "; sleep 0.5");
     INFO(signal << answer.output << answer.errors);
     CHECK_THAT(answer.output, !Catch::Contains("status 0"));

@@ -36,10 +36,16 @@ QWindow* handleOf(QWidget* widget) {
   return widget != nullptr ? widget->window()->windowHandle() : nullptr;
 }
 
-/// The press may close the window that it goes to.
+/// One event at a time: any of them may close the window that it goes to, and QTest::keyClick would send the
+/// next to it all the same.
 void click(const QPointer<QWindow>& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
-  if (window) QTest::keyPress(window, key, modifiers);
-  if (window) QTest::keyRelease(window, key, modifiers);
+  const bool writes = (modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier)) == Qt::NoModifier;
+  const char letter = writes ? QTest::keyToAscii(key) : '\0';
+  QString text = letter != '\0' ? QString(QLatin1Char(letter)) : QString();
+  if (modifiers.testFlag(Qt::ShiftModifier)) text = text.toUpper();
+  for (const bool press : {true, false}) {
+    if (window) QTest::simulateEvent(window.data(), press, key, modifiers, text, false);
+  }
 }
 
 ui::Item itemOf(const QStringList& words) {

@@ -245,7 +245,7 @@ TEST_CASE("what breaks on LAMMPS never gains energy by it") {
 
 TEST_CASE("bonds of many kinds keep their own thresholds on LAMMPS, and with them their spread") {
   const std::string folder = tests::freshFolder("smithereens-lammps");
-  const std::string scene = SMITHEREENS_SOURCE_DIR "/resources/scenes/cup-roll.scene.json";
+  const std::string scene = "\"" SMITHEREENS_SOURCE_DIR "/resources/scenes/cup-roll.scene.json\"";
   BothRuns::need(tests::runCli("simulate " + scene + " --until 0.001 --take " + folder + "/cup.take"));
   BothRuns::need(
       tests::runCli("export " + folder + "/cup.take --frames 0 --format lammps --out " + folder + "/cup"));
