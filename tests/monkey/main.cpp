@@ -4,9 +4,11 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
+#include "modeling/scene/resources.h"
 #include "modeling/scene/scene_file.h"
 #include "tests/monkey/chooser.h"
 #include "tests/monkey/performer.h"
@@ -44,6 +46,12 @@ Orders ordersOf(const QStringList& arguments) {
   return {parser.value("seed").toULongLong(), parser.value("actions").toLong(),
           parser.value("seconds").toDouble(), parser.value("replay").toStdString(),
           parser.value("log").toStdString(),  parser.value("growth").toDouble()};
+}
+
+/// Scenes of the gallery may be saved, too: the monkey has copies of all resources.
+void moveResourcesTo(const std::filesystem::path& folder) {
+  std::filesystem::copy(modeling::resourcesFolder(), folder, std::filesystem::copy_options::recursive);
+  qputenv("SMITHEREENS_RESOURCES", QByteArray::fromStdString(folder.string()));
 }
 
 /// The window as the program opens it, in a home of its own.
@@ -172,6 +180,7 @@ int main(int argc, char** argv) {
   ui::giveBackNowAndThen(application);
   const Orders orders = ordersOf(QApplication::arguments());
   const std::filesystem::path folder = home.path().toStdString();
+  moveResourcesTo(folder / "resources");
   std::filesystem::current_path(folder);
   QApplication::setQuitOnLastWindowClosed(false);
   ui::Theme::instance().apply(ui::ThemeKind::dark);
