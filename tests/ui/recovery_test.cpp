@@ -112,9 +112,9 @@ TEST_CASE("What is recovered has its own takes once and those of no other scene,
   const fs::path aKept = next.kept.folderOf(killed.file);
   const fs::path bKept = next.kept.folderOf(killed.data / "b.scene.json");
   QTest::qWait(300);
-  CHECK(next.session.takes().size() == ui::TakeIndex(aKept).read().size());
-  CHECK(ui::TakeIndex(bKept).read().size() == 1);
-  for (const ui::IndexedTake& take : ui::TakeIndex(bKept).read()) CHECK_FALSE(fs::exists(aKept / take.file));
+  CHECK(next.session.takes().size() == ui::KeptList(aKept).read().size());
+  CHECK(ui::KeptList(bKept).read().size() == 1);
+  for (const ui::IndexedTake& take : ui::KeptList(bKept).read()) CHECK_FALSE(fs::exists(aKept / take.file));
   CHECK_FALSE(fs::exists(killed.root / "left"));
   REQUIRE(next.window.files().save());
   next.window.files().open(killed.data / "b.scene.json");

@@ -62,7 +62,7 @@ void KeptTakes::follow() {
 }
 
 void KeptTakes::load() {
-  for (IndexedTake& take : TakeIndex(folder_).read()) {
+  for (IndexedTake& take : KeptList(folder_).read()) {
     known_[take.file] = take.label;
     waiting_.push_back(std::move(take));
   }
@@ -149,7 +149,7 @@ void KeptTakes::writeIndex() {
   }
   for (const IndexedTake& take : waiting_) said[take.file] = take.label;
   if (said == known_ && removed_.empty()) return;
-  const sim::Status written = TakeIndex(folder_).merge(ours, known_, removed_);
+  const sim::Status written = KeptList(folder_).merge(ours, known_, removed_);
   if (!written) session_.report(written.problem());
   known_ = std::move(said);
   removed_.clear();
@@ -172,7 +172,7 @@ void KeptTakes::receive(const std::vector<LeftTake>& takes, const fs::path& scen
     received.push_back({kept.filename().string(), label});
   }
   if (received.empty()) return;
-  if (const sim::Status written = TakeIndex(folder).merge(received, {}, {}); !written)
+  if (const sim::Status written = KeptList(folder).merge(received, {}, {}); !written)
     session_.report(written.problem());
 }
 

@@ -7,14 +7,14 @@
 #include <set>
 #include <string>
 
-#include "ui/files/take_index.h"
+#include "ui/files/kept_list.h"
 #include "ui/session/session.h"
 
 namespace ui {
 
 /// Keeps the takes of scenes that have a file, from one run of the program to the next: they are listed again
 /// when the scene is opened. Each scene has a folder of its own in the program's, with the recordings and
-/// `takes.json`, which has their names and notes (TakeIndex).
+/// `takes.json`, which has their names and notes (KeptList).
 ///
 /// A recording is linked into that folder as soon as it is listed, while it is still being written; where the
 /// file system has no links it is copied when it is done.

@@ -18,9 +18,9 @@ struct IndexedTake {
 
 /// `takes.json` in the folder of a scene's takes: their names and notes. Several windows may have the scene
 /// open; what each says of its takes is merged, so that none is lost.
-class TakeIndex {
+class KeptList {
  public:
-  explicit TakeIndex(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit KeptList(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// The takes in the folder, in the order of the list; behind them those that no list has, under the names
   /// of their files.

@@ -1,4 +1,4 @@
-#include "ui/files/take_index.h"
+#include "ui/files/kept_list.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -76,7 +76,7 @@ sim::Status putAside(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<IndexedTake> TakeIndex::read() const {
+std::vector<IndexedTake> KeptList::read() const {
   std::vector<IndexedTake> takes = listIn(folder_).value_or(std::vector<IndexedTake>());
   std::error_code error;
   std::erase_if(takes, [&](const IndexedTake& take) { return !fs::exists(folder_ / take.file, error); });
@@ -94,9 +94,9 @@ std::vector<IndexedTake> TakeIndex::read() const {
   return takes;
 }
 
-sim::Status TakeIndex::merge(const std::vector<IndexedTake>& ours,
-                             const std::map<std::string, TakeLabel>& known,
-                             const std::set<std::string>& removed) const {
+sim::Status KeptList::merge(const std::vector<IndexedTake>& ours,
+                            const std::map<std::string, TakeLabel>& known,
+                            const std::set<std::string>& removed) const {
   QLockFile lock(text(folder_ / "takes.lock"));
   lock.setStaleLockTime(10 * kMostWait);
   // Without it the list is written all the same: a take in no list is found again by read().
