@@ -25,6 +25,15 @@ ShapeVertex vertexOf(const RoundedSurface& surface, const RoundedSurface::Corner
   return vertex;
 }
 
+/// What a face adds to the volume of what it closes, at rest, cm^3.
+double volumeBelow(const sim::SurfaceTopology& topology, const sim::SurfaceTopology::Face& face) {
+  double volume = 0.0;
+  const Vec3& a = topology.restPoints[face.points[0]];
+  for (unsigned c = 2; c < face.cornerCount; ++c)
+    volume += a.dot(topology.restPoints[face.points[c - 1]].cross(topology.restPoints[face.points[c]])) / 6.0;
+  return volume;
+}
+
 /// The faces of some fragments. Points and normals keep their numbers.
 sim::SurfaceMesh facesOf(const sim::SurfaceMesh& mesh, const std::set<sim::FragmentId>& fragments) {
   sim::SurfaceMesh part = mesh;
@@ -77,18 +86,19 @@ std::map<sim::FragmentId, FragmentShapes::Signature> FragmentShapes::signaturesO
   for (const auto& face : topology.faces) {
     if (!followed.has(face.fragment)) continue;
     const auto [found, isNew] = signatures.try_emplace(face.fragment);
-    Signature& signature = found->second;
+    std::vector<double>& marks = found->second.marks;
     if (isNew) {
       const auto& nodes = followed.nodesOf(face.fragment);
-      signature.assign(nodes.begin(), nodes.end());
+      marks.assign(nodes.begin(), nodes.end());
     }
+    found->second.volume += volumeBelow(topology, face);
     if (!givesMaterial_) continue;
     for (const double number : {static_cast<double>(face.cell), static_cast<double>(face.material),
                                 static_cast<double>(face.cornerCount), face.inside ? 1.0 : 0.0})
-      signature.push_back(number);
+      marks.push_back(number);
     for (const std::uint32_t point : face.points) {
       const Vec3& at = topology.restPoints[point];
-      signature.insert(signature.end(), {at.x(), at.y(), at.z()});
+      marks.insert(marks.end(), {at.x(), at.y(), at.z()});
     }
   }
   return signatures;
@@ -100,9 +110,14 @@ void FragmentShapes::follow(const sim::BrokenPointer& broken, const FragmentFoll
     const sim::SurfaceTopology& topology = builder_.topology(broken);
     auto signatures = signaturesOf(topology, followed);
     std::set<sim::FragmentId> changed;
-    for (const auto& [id, signature] : signatures) {
+    for (auto& [id, signature] : signatures) {
       const auto before = signatures_.find(id);
-      if (before == signatures_.end() || before->second != signature) changed.insert(id);
+      if (before != signatures_.end() && before->second.marks == signature.marks &&
+          std::abs(signature.volume - before->second.volume) <= kVolumeShare * before->second.volume) {
+        signature.volume = before->second.volume;
+      } else {
+        changed.insert(id);
+      }
     }
     addShapes(topology, followed, changed);
     if (frame == 0) measure(topology);
@@ -142,11 +157,11 @@ void FragmentShapes::measure(const sim::SurfaceTopology& topology) {
   for (const auto& face : topology.faces) {
     isIn[face.material][face.fragment] = true;
     Extent& extent = extents[face.fragment];
+    extent.volume += volumeBelow(topology, face);
     for (unsigned c = 2; c < face.cornerCount; ++c) {
       const Vec3& a = topology.restPoints[face.points[0]];
       const Vec3& b = topology.restPoints[face.points[c - 1]];
       const Vec3& d = topology.restPoints[face.points[c]];
-      extent.volume += a.dot(b.cross(d)) / 6.0;
       extent.area += 0.5 * (b - a).cross(d - a).norm();
     }
   }

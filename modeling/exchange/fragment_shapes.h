@@ -93,10 +93,14 @@ class FragmentShapes {
   double thicknessOf(sim::MaterialIndex material) const;
 
  private:
-  /// What a fragment looks otherwise by: its nodes; where the material of others is given to it, its faces
-  /// and their corners at rest. That a crack beside it went on and was smoothed otherwise there is no new
-  /// look.
-  using Signature = std::vector<double>;
+  /// A fragment looks otherwise when its volume at rest has changed by more than this share, or when its
+  /// marks have: its nodes, and where the material of others is given to it, its faces and their corners at
+  /// rest. That a crack beside it went on and was smoothed a little otherwise makes no new look.
+  static constexpr double kVolumeShare = 0.01;
+  struct Signature {
+    std::vector<double> marks;
+    double volume = 0.0;  ///< cm^3
+  };
   struct Extent {
     double volume = 0.0;  ///< cm^3
     double area = 0.0;    ///< cm^2

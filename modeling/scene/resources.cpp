@@ -38,6 +38,11 @@ fs::path resourcesFolder() {
   return source;
 }
 
+bool comesWithProgram(const fs::path& scene) {
+  std::error_code error;
+  return !scene.empty() && fs::equivalent(scene.parent_path(), resourcesFolder() / "scenes", error);
+}
+
 std::vector<std::string> presetNames() {
   std::vector<std::string> names;
   std::error_code error;

@@ -13,6 +13,9 @@ namespace modeling {
 /// program was built from; else resources/ beside or above the program's own file. The first that exists.
 std::filesystem::path resourcesFolder();
 
+/// True: a scene that comes with the program, which is there to start from.
+bool comesWithProgram(const std::filesystem::path& scene);
+
 /// Names of all presets, in alphabetical order.
 std::vector<std::string> presetNames();
 

@@ -1,7 +1,10 @@
 #include <QAction>
+#include <QApplication>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <fstream>
 #include <iterator>
 
@@ -135,6 +138,35 @@ TEST_CASE("A scene is saved through a link, with the permissions that its file h
   CHECK(fs::is_symlink(link));
   CHECK(modeling::loadScene(contest.file)->scene.name == "mine");
   CHECK(fs::status(contest.file).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("A scene that comes with the program stays as it is, unless its file is chosen to be saved over",
+          "[saving]") {
+  tests::WholeWindow whole;
+  const fs::path scenes = whole.root / "resources" / "scenes";
+  fs::create_directories(scenes);
+  const fs::path file = scenes / "slab.scene.json";
+  REQUIRE(modeling::saveScene(named("shipped"), file));
+  const std::string before = textOf(file);
+  qputenv("SMITHEREENS_RESOURCES", QByteArray::fromStdString((whole.root / "resources").string()));
+  whole.window.files().open(file);
+  whole.session.document().edit("Rename", [](modeling::Scene& scene) { scene.name = "mine"; });
+  fs::path asked;
+  const fs::path elsewhere = whole.root / "mine.scene.json";
+  QTimer::singleShot(100, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    REQUIRE(dialog != nullptr);
+    asked = dialog->directory().absolutePath().toStdString();
+    dialog->selectFile(QString::fromStdString(elsewhere.string()));
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(QString::fromStdString(elsewhere.string()));
+    QMetaObject::invokeMethod(dialog, "accept");
+  });
+  CHECK(whole.window.files().save());
+  qunsetenv("SMITHEREENS_RESOURCES");
+  CHECK(asked != scenes);
+  CHECK(textOf(file) == before);
+  CHECK(modeling::loadScene(elsewhere)->scene.name == "mine");
+  CHECK(whole.session.document().file() == elsewhere);
 }
 
 TEST_CASE("What is typed and not confirmed is rehearsed, and stays typed", "[saving]") {

@@ -224,8 +224,12 @@ bool FileActions::saveTo(const fs::path& file) {
 }
 
 bool FileActions::save() {
+  const fs::path& file = session_.document().file();
+  return file.empty() || modeling::comesWithProgram(file) ? saveAs() : saveHere();
+}
+
+bool FileActions::saveHere() {
   const Document& document = session_.document();
-  if (document.file().empty()) return saveAs();
   const modeling::FileChange change = document.changeOfFile();
   return change == modeling::FileChange::none ? saveTo(document.file()) : saveOverChange(change);
 }
@@ -281,17 +285,18 @@ void FileActions::reload() {
 }
 
 bool FileActions::saveAs() {
-  QString start = text(session_.document().file());
-  if (start.isEmpty()) start = documentsFolder() + u'/' + session_.document().title() + kSceneEnding;
+  const fs::path& own = session_.document().file();
+  QString start = text(own);
+  if (own.empty()) start = documentsFolder() + u'/' + session_.document().title() + kSceneEnding;
+  if (modeling::comesWithProgram(own)) start = documentsFolder() + u'/' + text(own.filename());
   QString name = QFileDialog::getSaveFileName(window_, tr("Save the scene"), start,
                                               tr("Scenes (*%1)").arg(kSceneEnding));
   if (name.isEmpty()) return false;
   if (QFileInfo(name).suffix().isEmpty()) name += kSceneEnding;
   const fs::path file = name.toStdString();
   std::error_code error;
-  const fs::path& own = session_.document().file();
   // Its own file, too, may have been changed by somebody else.
-  if (!own.empty() && fs::equivalent(file, own, error)) return save();
+  if (!own.empty() && fs::equivalent(file, own, error)) return saveHere();
   if (!saveTo(file)) return false;
   recent_.add(file);
   return true;

@@ -31,7 +31,7 @@ class FileActions : public QObject {
   void newScene();
   /// A scene or a take. What cannot be opened is reported, and nothing is lost.
   void open(const std::filesystem::path& file);
-  /// False where it was not saved.
+  /// False where it was not saved. A scene that comes with the program is saved elsewhere, where one says.
   bool save();
   bool saveAs();
   /// What the file of the scene holds now, in place of the scene; an edit that can be undone.
@@ -47,6 +47,7 @@ class FileActions : public QObject {
  private:
   void askWhatToOpen();
   bool saveTo(const std::filesystem::path& file);
+  bool saveHere();
   bool saveOverChange(modeling::FileChange change);
   bool keepOther() const;
   void openScene(const std::filesystem::path& file);
