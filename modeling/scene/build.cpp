@@ -65,6 +65,7 @@ sim::Settings settingsOf(const Solver& solver) {
   settings.safety = solver.safety;
   settings.seed = solver.seed;
   settings.skip = solver.skip;
+  settings.contact.kind = solver.contact.kind;
   settings.contact.between = solver.contact.between;
   settings.contact.self = solver.contact.self;
   settings.contact.length = solver.contact.length;

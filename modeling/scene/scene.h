@@ -76,6 +76,7 @@ struct SceneTrack {
 };
 
 struct Contact {
+  sim::ContactKind kind = sim::ContactSettings{}.kind;
   bool between = sim::ContactSettings{}.between;
   bool self = sim::ContactSettings{}.self;
   sim::ContactLength length = sim::ContactSettings{}.length;

@@ -114,7 +114,11 @@ struct Fields<Contact> {
   static constexpr auto list() {
     using T = Contact;
     return std::tuple{
-        field("between", &T::between, "Between fragments", "Nodes of different fragments repel."),
+        field("kind", &T::kind, "What meets",
+              "What repels between fragments: surfaces meet where they are drawn; nodes keep a cell apart, "
+              "as in "
+              "the paper, and with implicit methods."),
+        field("between", &T::between, "Between fragments", "Different fragments repel."),
         field("self", &T::self, "Within a fragment", "Nodes of one fragment repel too."),
         field("length", &T::length, "Natural length",
               "Natural length of a contact: nearest is safe where things break."),

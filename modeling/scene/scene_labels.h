@@ -92,6 +92,13 @@ struct ChoiceLabels<sim::Method> {
 static_assert(labelsEachValue(ChoiceLabels<sim::Method>::kList));
 
 template <>
+struct ChoiceLabels<sim::ContactKind> {
+  static constexpr std::array<ChoiceLabel<sim::ContactKind>, 2> kList{
+      {{sim::ContactKind::surfaces, "Surfaces"}, {sim::ContactKind::nodes, "Nodes (the paper's)"}}};
+};
+static_assert(labelsEachValue(ChoiceLabels<sim::ContactKind>::kList));
+
+template <>
 struct ChoiceLabels<sim::ContactLength> {
   static constexpr std::array<ChoiceLabel<sim::ContactLength>, 2> kList{
       {{sim::ContactLength::nearest, "The nearer's (safe)"},

@@ -93,6 +93,12 @@ struct EnumNames<sim::Interpolation> : NameTable<EnumNames<sim::Interpolation>, 
 };
 
 template <>
+struct EnumNames<sim::ContactKind> : NameTable<EnumNames<sim::ContactKind>, sim::ContactKind> {
+  static constexpr std::array<NameRow<sim::ContactKind>, 2> kTable{
+      {{"surfaces", sim::ContactKind::surfaces}, {"nodes", sim::ContactKind::nodes}}};
+};
+
+template <>
 struct EnumNames<sim::ContactLength> : NameTable<EnumNames<sim::ContactLength>, sim::ContactLength> {
   static constexpr std::array<NameRow<sim::ContactLength>, 2> kTable{
       {{"nearest", sim::ContactLength::nearest}, {"sum", sim::ContactLength::sum}}};

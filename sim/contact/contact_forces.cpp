@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/parallel.h"
+#include "sim/contact/surface_forces.h"
 
 namespace sim {
 namespace {
@@ -251,6 +252,7 @@ ColliderWork findContactForces(const Contacts& contacts, const ContactMoment& mo
     for (std::size_t b = begin; b < end; ++b) forces.work[b] = pass.pushRow(forces.busy[b]);
   });
   pass.pushFresh();
+  addSurfaceForces(contacts.model(), contacts.surfaces(), moment, forces);
   ColliderWork sum;
   for (const ColliderWork& work : forces.work) {
     sum.outside += work.outside;
@@ -289,7 +291,7 @@ double contactEnergy(const Contacts& contacts, const ContactMoment& moment) {
   const ContactModel& model = contacts.model();
   const ContactRows& rows = contacts.rows();
   const NodeVectors& positions = moment.motion.position;
-  double sum = 0.0;
+  double sum = surfaceEnergy(model, contacts.surfaces(), moment);
   for (const ContactRow& row : rows.rows) {
     const Vec3 here = positions.get(row.node);
     for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
@@ -369,6 +371,9 @@ Stiffest stiffestContacts(const Contacts& contacts, const ContactMoment& moment,
   });
   Stiffest most;
   for (const Stiffest& part : parts) most.raise(part);
+  const Stiffest surfaces = stiffestSurfaces(contacts.model(), contacts.surfaces(), moment);
+  most.rateSquared += surfaces.rateSquared;
+  most.damping += surfaces.damping;
   return most;
 }
 

@@ -24,6 +24,8 @@ struct ContactMoment {
   std::span<const std::uint16_t> awake = {};
   std::uint64_t awakeVersion = 0;  ///< another number whenever `awake` says otherwise than before
   bool scaled = true;              ///< some material's stiffness may be other than the network says
+  /// The forces are those of a whole step, at whose end nothing may be too deep. False: they are rates.
+  bool wholeStep = false;
 };
 
 /// What was found of a row when it was last looked at.

@@ -24,8 +24,10 @@ bool mayTouch(const ContactModel& model, const ContactRows& rows, const ContactS
     if (!model.settings().self) return false;
     const double atRest = (network.positions[j] - network.positions[i]).norm();
     if (atRest < kSelfRestShare * model.naturalLength(i, j)) return false;
-  } else if (!model.settings().between) {
-    return false;
+  } else {
+    const bool bySurface = model.settings().kind == ContactKind::surfaces &&
+                           !(scene.outside.isLoose(i) && scene.outside.isLoose(j));
+    if (!model.settings().between || bySurface) return false;
   }
   const BondIndex bond = network.findBond(i, j);
   return bond == kNone || (scene.breakage.bondBroken(bond) && !rows.isBrokenPair(bond));

@@ -7,6 +7,7 @@
 #include "sim/contact/contact_rows.h"
 #include "sim/contact/fragment_boxes.h"
 #include "sim/contact/hash_grid.h"
+#include "sim/contact/outside.h"
 #include "sim/fracture/breakage.h"
 
 namespace sim {
@@ -18,6 +19,7 @@ struct ContactScene {
   const Breakage& breakage;
   std::span<const MovingCollider> colliders;
   const FragmentBoxes& boxes;  ///< of the components, at these positions
+  const Outside& outside;
 };
 
 /// Some pair may be a contact at all: there are several fragments, or self contact counts.

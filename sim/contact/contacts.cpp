@@ -1,5 +1,8 @@
 #include "sim/contact/contacts.h"
 
+#include "sim/contact/surface_follow.h"
+#include "sim/contact/surface_search.h"
+
 namespace sim {
 namespace {
 
@@ -8,7 +11,8 @@ constexpr std::size_t kMostFresh = 4096;
 
 }  // namespace
 
-Contacts::Contacts(const Network& network, const ContactSettings& settings) : model_(network, settings) {}
+Contacts::Contacts(const Network& network, const ContactSettings& settings)
+    : model_(network, settings), outside_(network) {}
 
 void Contacts::addBroken(BondIndex bond, double restLength) {
   rows_.addBroken(model_.network(), bond, restLength);
@@ -22,8 +26,9 @@ void Contacts::ageByStep(const Motion& motion, double travel) {
 void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
                        std::span<const MovingCollider> colliders, double travel) {
   std::vector<ContactCandidate> pairs = rows_.settleBroken(model_, motion, components);
+  outside_.follow(breakage);
   const FragmentBoxes boxes(motion.position, components.fragmentOfNode(), components.births().size());
-  const ContactScene scene{motion, components, breakage, colliders, boxes};
+  const ContactScene scene{motion, components, breakage, colliders, boxes, outside_};
   if (pairsAreCompared(model_, components)) {
     const std::vector<NodeIndex> nodes = nodesToCompare(model_, scene);
     if (!nodes.empty()) {
@@ -31,6 +36,12 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
       const std::vector<ContactCandidate> found = findContacts(model_, rows_, scene, nodes, grid_);
       pairs.insert(pairs.end(), found.begin(), found.end());
     }
+  }
+  if (model_.settings().kind == ContactKind::surfaces && model_.settings().between &&
+      components.births().size() > 1) {
+    findSurfaceRows(model_, {outside_, components, motion.position, boxes}, surfaces_);
+  } else {
+    surfaces_ = {};
   }
   const NearColliders near = findNearColliders(model_, scene, travel);
   rows_.fill(model_, pairs, near.nodes);
@@ -44,8 +55,17 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   ++rebuilds_;
 }
 
+double Contacts::follow(const NodeVectors& positions) {
+  return surfaces_.quiet() ? 0.0 : followSurfaces(model_, outside_, positions, age_.odometer(), surfaces_);
+}
+
 void Contacts::takeOver(const Contacts& other) {
   rows_.takeOver(model_, other.rows_);
+  // Contacts find their rows again when rows are filled anew.
+  if (model_.settings().kind == ContactKind::surfaces) {
+    outside_.takeOver(other.outside_);
+    surfaces_ = other.surfaces_;
+  }
   rebuilds_ = other.rebuilds_;
   searches_ = other.searches_;
   age_.makeStale();
@@ -54,13 +74,16 @@ void Contacts::takeOver(const Contacts& other) {
 void Contacts::save(ByteWriter& writer) const {
   rows_.save(writer);
   age_.save(writer);
+  outside_.save(writer);
+  surfaces_.save(writer);
   writer.put(rebuilds_);
   writer.put(searches_);
 }
 
 bool Contacts::load(ByteReader& reader, std::span<const MovingCollider> colliders) {
   if (!rows_.load(model_, reader, colliders.size()) ||
-      !age_.load(reader, model_.network().nodeCount(), anyColliderEnds(colliders)))
+      !age_.load(reader, model_.network().nodeCount(), anyColliderEnds(colliders)) ||
+      !outside_.load(reader) || !surfaces_.load(outside_, reader))
     return false;
   reader.read(rebuilds_);
   reader.read(searches_);
@@ -68,7 +91,8 @@ bool Contacts::load(ByteReader& reader, std::span<const MovingCollider> collider
 }
 
 std::size_t Contacts::memoryBytes() const {
-  return model_.memoryBytes() + rows_.memoryBytes() + age_.memoryBytes() + grid_.memoryBytes();
+  return model_.memoryBytes() + rows_.memoryBytes() + age_.memoryBytes() + grid_.memoryBytes() +
+         outside_.memoryBytes() + surfaces_.memoryBytes();
 }
 
 }  // namespace sim

@@ -3,11 +3,12 @@
 #include "sim/contact/contact_rows.h"
 #include "sim/contact/contact_search.h"
 #include "sim/contact/row_age.h"
+#include "sim/contact/surface_rows.h"
 
 namespace sim {
 
-/// What pushes on nodes from outside the lattice: nodes of other fragments, broken bonds in compression,
-/// colliders.
+/// What pushes on nodes from outside the lattice: surfaces or nodes of other fragments, broken bonds in
+/// compression, colliders.
 ///
 /// Contact of two nodes (docs/numerics.md, "Contact and friction"): force max(0, k (rho - x) - d v_n) along
 /// the line between them, rho at most the natural length. A pair that becomes eligible closer than that
@@ -23,6 +24,12 @@ class Contacts {
 
   const ContactModel& model() const { return model_; }
   const ContactRows& rows() const { return rows_; }
+  const SurfaceRows& surfaces() const { return surfaces_; }
+  const Outside& outside() const { return outside_; }
+  /// Pairs of nodes, and of nodes or edges with surfaces, that are looked at.
+  std::size_t pairCount() const { return rows_.pairCount() + surfaces_.near.size(); }
+  /// Nothing can push.
+  bool quiet() const { return rows_.quiet() && surfaces_.quiet(); }
   /// How long the rows cover all that can touch.
   RowAge& age() { return age_; }
   const RowAge& age() const { return age_; }
@@ -36,6 +43,9 @@ class Contacts {
                std::span<const MovingCollider> colliders, double travel = 0.0);
   /// Lets rho grow where pairs are apart. Once a step; forces of the same moment do not depend on it.
   void settle(const Motion& motion) { rows_.growApart(model_, motion); }
+  /// Surfaces that touch are found at these positions. Once a step, before its forces. Gives what energy is
+  /// lost by it, erg.
+  double follow(const NodeVectors& positions);
   /// Remembers the pairs that contacts of the same network remember, under other settings or among other
   /// colliders. Rows are stale.
   void takeOver(const Contacts& other);
@@ -49,6 +59,17 @@ class Contacts {
       }
     }
     for (const BrokenPair& pair : rows_.fresh) visit(pair.a, pair.b);
+    for (const SurfaceRow& row : surfaces_.rows) {
+      for (std::uint32_t n = row.first; n < row.last; ++n) {
+        if (row.isEdge) {
+          for (const NodeIndex a : outside_.edges()[row.which].nodes) {
+            for (const NodeIndex b : outside_.edges()[surfaces_.near[n]].nodes) visit(a, b);
+          }
+        } else {
+          for (const NodeIndex b : outside_.triangles()[surfaces_.near[n]].nodes) visit(row.which, b);
+        }
+      }
+    }
   }
   /// Calls visit(node, collider) for each node that may be pushed by a collider before the next rebuild.
   template <class Visit>
@@ -73,6 +94,8 @@ class Contacts {
   ContactRows rows_;
   RowAge age_;
   HashGrid grid_;
+  Outside outside_;
+  SurfaceRows surfaces_;
   std::uint64_t rebuilds_ = 0;
   std::uint64_t searches_ = 0;
 };

@@ -43,16 +43,17 @@ BreakingMoment Leapfrog::breakingMoment(const World& world) const {
 }
 
 void Leapfrog::findContacts(World& world) const {
-  if (world.contacts.rows().quiet() || (world.fragments.noneDeforms() && !anyTouched(world))) {
+  if (world.contacts.quiet() || (world.fragments.noneDeforms() && !anyTouched(world))) {
     world.forces.clear();
     return;
   }
   const double seconds = kick(world.clock);
+  world.ledger.addDissipated(world.contacts.follow(world.now.position));
   const ColliderWork work = findContactForcesNow(world, seconds, world.forces);
   world.contacts.settle(world.now);
   world.ledger.addOutsideWork(work.outside);
   world.ledger.addDissipated(work.dissipated);
-  world.work.contactPairs += world.contacts.rows().pairCount();
+  world.work.contactPairs += world.contacts.pairCount();
   stopAtColliders(world, seconds, recurrence_ == Recurrence::forwardEuler);
 }
 
@@ -110,7 +111,7 @@ Present Leapfrog::presentBy(const World& world, ContactForces& forces, double ha
   std::vector<BlockReport> reports(world.layout.blockCount());
   const double whole = kick(world.clock);
   ColliderWork work;
-  if (world.contacts.rows().quiet()) {
+  if (world.contacts.quiet()) {
     forces.clear();
   } else {
     work = findContactForcesNow(world, whole, forces);

@@ -90,6 +90,10 @@ Result<double> OneStep::advance(World& world, StepLength& choice) {
   std::swap(start_, end_);
   startKnown_ = true;
   world.contacts.settle(world.now);
+  if (!world.contacts.surfaces().quiet()) {
+    world.ledger.addDissipated(world.contacts.follow(world.now.position));
+    startKnown_ = false;
+  }
   return *fastest * length;
 }
 

@@ -10,7 +10,7 @@ namespace sim {
 void ratesAt(World& world, const Motion& at, double ahead, double kick, Rates& rates) {
   rates.dissipated = 0.0;
   rates.outsideWork = 0.0;
-  if (world.contacts.rows().quiet()) {
+  if (world.contacts.quiet()) {
     world.forces.clear();
   } else {
     const std::vector<MovingCollider> colliders = world.controls.collidersAhead(ahead);
@@ -20,7 +20,7 @@ void ratesAt(World& world, const Motion& at, double ahead, double kick, Rates& r
     const ColliderWork work = findContactForces(world.contacts, trial, world.forces);
     rates.outsideWork += work.outside / kick;
     rates.dissipated += work.dissipated / kick;
-    world.work.contactPairs += world.contacts.rows().pairCount();
+    world.work.contactPairs += world.contacts.pairCount();
   }
   rates.outsideWork += carryingWork(world, at, world.forces, 1.0);
   Motion unmoved;
@@ -49,7 +49,7 @@ void tangentsAt(const World& world, const Motion& at, double ahead, double kick,
     tangents.push_back(
         {a, b, apart / length, stiffness, stiffness * tension, bond.damping * material.dampingScale, 0.0});
   }
-  if (world.contacts.rows().quiet()) return;
+  if (world.contacts.quiet()) return;
   const std::vector<MovingCollider> colliders = world.controls.collidersAhead(ahead);
   addContactTangents(world.contacts, {at, colliders, world.controls.materials(), kick}, world.forces,
                      tangents);

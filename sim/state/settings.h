@@ -30,7 +30,14 @@ enum class ContactLength {
   sum,      ///< r_i + r_j, as the paper first states it: for what never breaks
 };
 
+/// What meets what, between fragments.
+enum class ContactKind {
+  surfaces,  ///< the outsides of whole cells, at a few per cent of a cell, and loose nodes
+  nodes      ///< the paper's: nodes, at the natural length of a bond
+};
+
 struct ContactSettings {
+  ContactKind kind = ContactKind::surfaces;
   bool between = true;  ///< nodes of different fragments repel
   bool self = false;    ///< nodes of one fragment repel too, unless they were near at rest (Contact 1)
   ContactLength length = ContactLength::nearest;
@@ -62,6 +69,15 @@ struct Settings {
   std::uint64_t seed = 1;  ///< of the thresholds
   int threads = 0;         ///< 0: all there are. Results do not depend on it
 };
+
+/// What is in force: the steps of implicit methods are too long for the thin contact of surfaces, so nodes
+/// meet there.
+inline ContactSettings contactInForce(const Settings& settings) {
+  ContactSettings contact = settings.contact;
+  if (settings.method == Method::implicitEuler || settings.method == Method::implicitMidpoint)
+    contact.kind = ContactKind::nodes;
+  return contact;
+}
 
 struct Environment {
   Vec3 gravity{0.0, 0.0, -981.0};  ///< cm/s^2

@@ -73,7 +73,9 @@ ContactMoment contactMoment(const World& world, double kick) {
 }
 
 ColliderWork findContactForcesNow(const World& world, double kick, ContactForces& forces) {
-  return findContactForces(world.contacts, contactMoment(world, kick), forces);
+  ContactMoment moment = contactMoment(world, kick);
+  moment.wholeStep = true;
+  return findContactForces(world.contacts, moment, forces);
 }
 
 Vec3 bondForce(const World& world, const Motion& at, NodeIndex node, NodeIndex neighbour) {

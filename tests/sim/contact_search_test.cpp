@@ -57,7 +57,7 @@ TEST_CASE("rows hold every pair that is near enough, and nodes are compared only
   const sim::Breakage breakage(network);
   sim::Motion motion{sim::NodeVectors(network.nodeCount()), sim::NodeVectors(network.nodeCount())};
   for (std::size_t n = 0; n < network.nodeCount(); ++n) motion.position.set(n, network.positions[n]);
-  sim::Contacts contacts(network, sim::ContactSettings{});
+  sim::Contacts contacts(network, sim::ContactSettings{.kind = sim::ContactKind::nodes});
   contacts.rebuild(motion, components, breakage, {});
   std::set<std::pair<NodeIndex, NodeIndex>> found;
   contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) { found.emplace(i, j); });
@@ -74,14 +74,15 @@ TEST_CASE("rows hold every pair that is near enough, and nodes are compared only
   CHECK(found == expected);
 
   const sim::FragmentBoxes boxes(motion.position, components.fragmentOfNode(), components.births().size());
-  const sim::ContactScene scene{motion, components, breakage, {}, boxes};
+  const sim::ContactScene scene{motion, components, breakage, {}, boxes, contacts.outside()};
   CHECK(sim::nodesToCompare(contacts.model(), scene).size() < network.nodeCount());
 }
 
 TEST_CASE("while fragments are far apart, none of their nodes are compared") {
   const tests::Block shape{.nx = 2, .ny = 2, .nz = 2, .youngsModulus = 1e6};
-  const auto crash =
-      tests::simulation(tests::twoBlocks(shape, 6.0, 200.0), tests::losslessSettings(), tests::earth());
+  sim::Settings settings = tests::losslessSettings();
+  settings.contact.kind = sim::ContactKind::nodes;
+  const auto crash = tests::simulation(tests::twoBlocks(shape, 6.0, 200.0), settings, tests::earth());
   tests::run(*crash, 0.1);
   CHECK(crash->work().contactPairs > 0);
   CHECK(crash->work().contactSearches > 0);

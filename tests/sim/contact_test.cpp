@@ -56,6 +56,7 @@ TEST_CASE("two blocks that meet head on part again, with their momentum and no m
   const double damping = GENERATE(0.0, 0.3);
   const tests::Block shape{.nx = 2, .ny = 3, .nz = 4, .youngsModulus = 1e6};
   sim::Settings settings = tests::losslessSettings();
+  settings.contact.kind = sim::ContactKind::nodes;
   settings.contact.dampingRatio = damping;
   settings.contact.friction = damping;
   const auto crash = tests::simulation(tests::twoBlocks(shape, 1.5, 60.0), settings);

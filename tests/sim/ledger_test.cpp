@@ -97,6 +97,7 @@ TEST_CASE("the account of contacts closes, of damping and friction in them too")
     node.velocity.x() = 20.0 * (node.position.z() - 4.5);
   const double damping = GENERATE(0.0, 0.3);
   const double friction = GENERATE(0.0, 0.5);
+  scene.settings.contact.kind = sim::ContactKind::nodes;
   scene.settings.contact.dampingRatio = damping;
   scene.settings.contact.friction = friction;
   checkSecondOrder(scene);
@@ -187,6 +188,7 @@ TEST_CASE("the account of held nodes that move closes, through damping, breaking
     node.mass = std::numeric_limits<double>::infinity();
     node.velocity = Vec3(0.0, 10.0, node.position.z() > 0.0 ? 40.0 : -40.0);
   }
+  scene.settings.contact.kind = sim::ContactKind::nodes;
   checkSecondOrder(scene);
   const Account account = accountOf(scene, 1.0);
   CHECK(account.end.outsideWork > 0.5 * account.scale);

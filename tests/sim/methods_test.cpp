@@ -178,7 +178,7 @@ TEST_CASE("every method gives the same bits on any number of threads, and when r
   const Method method = anyMethod().method;
   INFO(sim::nameOf(method));
   const auto whole = tests::crash({.method = method});
-  constexpr double kUntil = 0.0008;
+  constexpr double kUntil = 0.0016;
   tests::run(*whole, kUntil);
   REQUIRE(whole->brokenBondCount() > 20);
   const auto first = tests::crash({.threads = 2, .method = method});

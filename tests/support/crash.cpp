@@ -32,7 +32,7 @@ std::unique_ptr<sim::Simulation> crash(const CrashOptions& options) {
   Block brittle{.nx = 3, .ny = 3, .nz = size, .youngsModulus = 1e7, .density = 1.0, .dampingTime = 1e-6};
   brittle.distortion = 0.2;
   brittle.material = {.name = "glass", .thresholdMean = 0.02, .thresholdSpread = 0.3};
-  brittle.corner = sim::Vec3(0.3, 0.2, 3.05);
+  brittle.corner = sim::Vec3(0.3, 0.2, 2.05);
   brittle.velocity = sim::Vec3(60.0, 0.0, -600.0);
   sim::Blueprint blueprint = block(plastic);
   append(blueprint, block(brittle));
