@@ -54,8 +54,11 @@ TEST_CASE("each command explains itself in words that can be read") {
     CHECK(answer.output.find("smithereens-cli " + command) != std::string::npos);
     CHECK(std::all_of(answer.output.begin(), answer.output.end(), isReadable));
   }
-  CHECK_THAT(tests::runCli("export --help").output,
-             Catch::Contains("{shards,tetrahedra,spheres,given-to-neighbours}=shards"));
+  // How the value that holds unless one is given is set apart differs by the version of CLI11.
+  const std::string exportHelp = tests::runCli("export --help").output;
+  const std::string choices = "{shards,tetrahedra,spheres,given-to-neighbours}";
+  CHECK((exportHelp.find(choices + "=shards") != std::string::npos ||
+         exportHelp.find(choices + " [shards]") != std::string::npos));
 }
 
 TEST_CASE("a run leaves a report with everything it promises") {

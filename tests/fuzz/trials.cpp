@@ -14,6 +14,7 @@
 #include "modeling/scene/build.h"
 #include "modeling/scene/salvage.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/text/printable.h"
 #include "sim/dynamics/simulation.h"
 #include "sim/take/frame_codec.h"
 #include "ui/picture/environment_map.h"
@@ -189,7 +190,8 @@ Finding refusal(const std::string& place, const std::string& what, const std::st
   if (what.empty()) return "WRONG: a problem says nothing";
   if (line.size() > kLongest)
     return "WRONG: a problem of " + std::to_string(line.size()) + " letters: " + line.substr(0, 100);
-  if (std::ranges::any_of(line, isControl)) return "WRONG: a problem with control characters";
+  if (std::ranges::any_of(line, isControl))
+    return "WRONG: a problem with control characters: " + modeling::printable(line);
   return "refused: " + line;
 }
 

@@ -88,9 +88,9 @@ TEST_CASE("what refers to nothing is named with what is nearest") {
 }
 
 TEST_CASE("texts made to break a reader are refused") {
-  CHECK(problemOf("") ==
-        "s:1:1: this is not valid JSON: unexpected end of input, expected '[', '{', or a literal; correct "
-        "the JSON here");
+  // The words in the middle are the library's, and other ones in each of its versions.
+  CHECK_THAT(problemOf(""), Catch::StartsWith("s:1:1: this is not valid JSON: ") &&
+                                Catch::EndsWith("; correct the JSON here"));
   CHECK(problemOf("[]").find("the scene holds a list") != std::string::npos);
   const std::string deep(1'000'000, '[');
   CHECK(problemOf(deep).find("s:1:65: this is nested more than 64 deep") == 0);

@@ -15,4 +15,7 @@ inline Matchers::StringContainsMatcher Contains(const std::string& text) {
   return Matchers::ContainsSubstring(text);
 }
 
+using Matchers::EndsWith;
+using Matchers::StartsWith;
+
 }  // namespace Catch
