@@ -90,7 +90,8 @@ std::vector<std::string> lammpsDeviations(const LammpsModel& model) {
       "step to step, not bond by bond");
   if (model.breaks()) addBreaking(model, said);
   said.emplace_back(
-      "nodes that no bond joins repel, of one fragment too, by a soft spring that is as stiff as ours at "
+      "nodes meet nodes, whatever solver.contact.kind says: those that no bond joins repel, of one fragment "
+      "too, by a soft spring that is as stiff as ours at "
       "first touch; between nodes there is neither contact damping nor friction, and nodes that begin in "
       "contact stay as large as they are apart then");
   addColliders(model, said);

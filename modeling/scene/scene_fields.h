@@ -115,13 +115,13 @@ struct Fields<Contact> {
     using T = Contact;
     return std::tuple{
         field("kind", &T::kind, "What meets",
-              "What repels between fragments: surfaces meet where they are drawn; nodes keep a cell apart, "
-              "as in "
-              "the paper, and with implicit methods."),
+              "What repels between fragments: surfaces, where they are drawn; or nodes, a cell apart, as in "
+              "the "
+              "paper. Implicit methods always use nodes."),
         field("between", &T::between, "Between fragments", "Different fragments repel."),
         field("self", &T::self, "Within a fragment", "Nodes of one fragment repel too."),
         field("length", &T::length, "Natural length",
-              "Natural length of a contact: nearest is safe where things break."),
+              "Natural length of a contact of nodes: nearest is safe where things break."),
         field("stiffnessScale", &T::stiffnessScale, "Stiffness", "Stiffness relative to the weaker node's.")
             .step(0.05)
             .between(1e-6, 1e6),
@@ -173,7 +173,7 @@ struct Fields<Solver> {
             .step(0.05)
             .between(1e-4, 0.9)
             .gauge(),
-        field("contact", &T::contact, "Contact", "What happens between nodes that touch."),
+        field("contact", &T::contact, "Contact", "What happens between things that touch."),
         field("skip", &T::skip, "Leave Out What Is Not Needed",
               "What may be left out where a scene does not need it; false: the same is computed in full, to "
               "compare."),

@@ -50,7 +50,8 @@ class Contacts {
   /// colliders. Rows are stale.
   void takeOver(const Contacts& other);
 
-  /// Calls visit(i, j), i < j, for each two nodes that may push each other before the next rebuild.
+  /// Calls visit(i, j) for each two nodes that may push each other before the next rebuild, whichever comes
+  /// first; where surfaces are near, for each two of their corners, some several times.
   template <class Visit>
   void forEachNearPair(Visit&& visit) const {
     for (const ContactRow& row : rows_.rows) {

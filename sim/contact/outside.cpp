@@ -55,12 +55,11 @@ Outside::Outside(const Network& network) : network_(&network) {
   find();
 }
 
-bool Outside::follow(const Breakage& breakage) {
-  if (breakage.brokenCellCount() == brokenCount_) return false;
+void Outside::follow(const Breakage& breakage) {
+  if (breakage.brokenCellCount() == brokenCount_) return;
   brokenCount_ = breakage.brokenCellCount();
   brokenCells_ = breakage.brokenCells();
   find();
-  return true;
 }
 
 void Outside::takeOver(const Outside& other) {
@@ -84,7 +83,6 @@ bool Outside::load(ByteReader& reader) {
 }
 
 void Outside::find() {
-  ++version_;
   triangles_.clear();
   loose_.assign(network_->nodeCount(), 1);
   const std::vector<Side> sides = sidesOf(*network_, brokenCells_);
@@ -104,7 +102,6 @@ void Outside::find() {
         for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
           triangles_.push_back({{corners[least], corners[(least + i) % corners.size()],
                                  corners[(least + i + 1) % corners.size()]},
-                                {kNone, kNone, kNone},
                                 sides[s].cell});
         }
       }
@@ -119,7 +116,6 @@ void Outside::join() {
     NodeIndex low, high;
     CellIndex cell;
     std::uint32_t triangle;
-    std::uint8_t corner;
   };
   std::vector<Half> halves;
   halves.reserve(3 * triangles_.size());
@@ -129,7 +125,7 @@ void Outside::join() {
     for (std::uint8_t i = 0; i < 3; ++i) {
       const NodeIndex a = triangle.nodes[i];
       const NodeIndex b = triangle.nodes[(i + 1U) % 3U];
-      halves.push_back({std::min(a, b), std::max(a, b), triangle.cell, t, i});
+      halves.push_back({std::min(a, b), std::max(a, b), triangle.cell, t});
       ++firstTriangle_[a + 1];
     }
   }
@@ -145,8 +141,6 @@ void Outside::join() {
   });
   edges_.clear();
   const auto pair = [&](const Half& one, const Half& two) {
-    triangles_[one.triangle].across[one.corner] = two.triangle;
-    triangles_[two.triangle].across[two.corner] = one.triangle;
     edges_.push_back({{one.low, one.high}, {one.triangle, two.triangle}});
   };
   for (std::size_t h = 0; h < halves.size();) {

@@ -14,7 +14,6 @@ namespace sim {
 /// A triangle of the outside, counter-clockwise seen from outside.
 struct OutsideTriangle {
   std::array<NodeIndex, 3> nodes;
-  std::array<std::uint32_t, 3> across;  ///< the triangle beyond the edge from corner i to the next; or kNone
   CellIndex cell = 0;
 };
 
@@ -33,8 +32,8 @@ class Outside {
  public:
   explicit Outside(const Network& network);
 
-  /// Makes it that of the cells which are still whole. Answers whether it changed.
-  bool follow(const Breakage& breakage);
+  /// Makes it that of the cells which are still whole.
+  void follow(const Breakage& breakage);
 
   const std::vector<OutsideTriangle>& triangles() const { return triangles_; }
   const std::vector<OutsideEdge>& edges() const { return edges_; }
@@ -46,8 +45,6 @@ class Outside {
   /// No whole cell holds it.
   bool isLoose(NodeIndex node) const { return loose_[node] != 0; }
   bool isOutside(NodeIndex node) const { return firstTriangle_[node] != firstTriangle_[node + 1]; }
-  /// Another number whenever it changed.
-  std::uint64_t version() const { return version_; }
   /// Becomes the other's, of an equal network.
   void takeOver(const Outside& other);
   void save(ByteWriter& writer) const;
@@ -66,7 +63,6 @@ class Outside {
   std::vector<std::uint8_t> loose_;
   std::vector<std::uint8_t> brokenCells_;  ///< one byte a cell; empty: none is
   std::uint64_t brokenCount_ = 0;
-  std::uint64_t version_ = 0;
 };
 
 }  // namespace sim

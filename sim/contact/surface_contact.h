@@ -13,7 +13,6 @@ struct SurfaceContact {
   /// The node, then the triangle's corners; or the ends of one edge, then of the other.
   std::array<NodeIndex, 4> nodes{};
   std::uint32_t row = 0;      ///< of SurfaceRows
-  std::uint32_t feature = 0;  ///< the triangle, or the second edge
   std::uint8_t corners = 0;   ///< as in ClosestOnTriangle; kCrossing for two edges
   std::uint8_t anchored = 0;  ///< friction holds: `anchor` counts
   std::uint8_t inside = 0;    ///< the node is behind what it meets

@@ -232,7 +232,6 @@ void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std
     SurfaceContact contact;
     contact.nodes = {node, triangle.nodes[0], triangle.nodes[1], triangle.nodes[2]};
     contact.row = rowIndex;
-    contact.feature = candidate.triangle;
     contact.corners = static_cast<std::uint8_t>(candidate.closest.corners);
     contact.sign = inside && contact.corners != 7U ? -1.0 : 1.0;
     contact.inside = inside ? 1 : 0;
@@ -297,7 +296,6 @@ void RowFollow::edge(std::uint32_t rowIndex, std::uint32_t which, std::span<cons
     SurfaceContact contact;
     contact.nodes = {one.nodes[0], one.nodes[1], two.nodes[0], two.nodes[1]};
     contact.row = rowIndex;
-    contact.feature = e;
     contact.corners = SurfaceContact::kCrossing;
     contact.natural = natural;
     if (old != nullptr) {

@@ -9,7 +9,6 @@ namespace {
 void save(const SurfaceContact& contact, ByteWriter& writer) {
   for (const NodeIndex node : contact.nodes) writer.put(node);
   writer.put(contact.row);
-  writer.put(contact.feature);
   writer.put(contact.corners);
   writer.put(contact.anchored);
   for (const double number : {contact.sign, contact.natural, contact.rho, contact.stiffness, contact.damping})
@@ -21,7 +20,6 @@ SurfaceContact loadContact(ByteReader& reader) {
   SurfaceContact contact;
   for (NodeIndex& node : contact.nodes) reader.read(node);
   reader.read(contact.row);
-  reader.read(contact.feature);
   reader.read(contact.corners);
   reader.read(contact.anchored);
   for (double* number : {&contact.sign, &contact.natural, &contact.rho, &contact.stiffness, &contact.damping})

@@ -234,7 +234,6 @@ void findSurfaceRows(const ContactModel& model, const SurfaceScene& scene, Surfa
                                                      : edgeKey(contact.nodes[0], contact.nodes[0]));
     if (place == rowOf.end()) continue;
     contact.row = place->second;
-    contact.feature = kNone;
     kept.push_back(contact);
   }
   std::stable_sort(kept.begin(), kept.end(), [](const SurfaceContact& left, const SurfaceContact& right) {
