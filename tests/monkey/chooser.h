@@ -17,6 +17,8 @@ class Chooser {
   Chooser(ui::MainWindow& window, std::uint64_t seed) : window_(window), random_(seed) {}
 
   Action next();
+  /// Nothing is held by the mouse or half done.
+  bool idle() const { return planned_.empty() && !held_; }
 
  private:
   Action choose();
@@ -30,7 +32,6 @@ class Chooser {
   Action typed();
   Action menu();
   void grabByKey();
-  void typeIntoField();
   QPoint placeIn(QWidget& top);
   QString word(const QStringList& words);
   int number(int below);

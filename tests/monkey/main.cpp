@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 
 #include "modeling/scene/resources.h"
@@ -28,6 +29,7 @@ struct Orders {
   double seconds = 60.0;
   std::string replay;   ///< a log; empty: by chance
   std::string log;      ///< empty: none
+  double calm = 20.0;   ///< s: after so long memory is looked at
   double growth = 0.0;  ///< share by which the memory may grow; 0: not looked at
 };
 
@@ -41,11 +43,13 @@ Orders ordersOf(const QStringList& arguments) {
        {"seconds", "At most so long.", "S", "60"},
        {"replay", "Does what the log says.", "LOG"},
        {"log", "Writes what is done.", "FILE"},
+       {"calm", "Every so long all is closed, one small scene opened, and memory looked at.", "S", "20"},
        {"growth", "The share by which memory may grow after the first sixth of the time.", "SHARE", "0"}});
   parser.process(arguments);
   return {parser.value("seed").toULongLong(), parser.value("actions").toLong(),
           parser.value("seconds").toDouble(), parser.value("replay").toStdString(),
-          parser.value("log").toStdString(),  parser.value("growth").toDouble()};
+          parser.value("log").toStdString(),  parser.value("calm").toDouble(),
+          parser.value("growth").toDouble()};
 }
 
 /// Scenes of the gallery may be saved, too: the monkey has copies of all resources.
@@ -91,6 +95,7 @@ class Player {
   void next() {
     const std::optional<monkey::Action> action = wanted();
     if (!action) return finish();
+    if (action->verb == QLatin1String("calm")) return calmDown();
     QTimer::singleShot(action->wait, qApp, [this, one = *action] {
       ++count_;
       if (log_.is_open()) log_ << one.line() << std::endl;
@@ -118,22 +123,44 @@ class Player {
   std::optional<monkey::Action> wanted() {
     const bool late = static_cast<double>(clock_.elapsed()) > 1e3 * orders_.seconds;
     if (ended_ || late || (orders_.actions > 0 && count_ >= orders_.actions)) return std::nullopt;
-    if (!script_.is_open()) return chooser_.next();
+    if (!script_.is_open()) {
+      const bool due = static_cast<double>(clock_.elapsed()) > calmAt_ + 1e3 * orders_.calm;
+      return due && chooser_.idle() ? monkey::Action{0, QStringLiteral("calm"), {}} : chooser_.next();
+    }
     std::string line;
     while (std::getline(script_, line))
       if (auto action = monkey::Action::read(QString::fromStdString(line))) return action;
     return std::nullopt;
   }
+  /// Closes what is open before the window, and then calls. Dialogs keep the event loop until they are closed.
+  void closeAllAndThen(const std::function<void()>& then) {
+    if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (auto* dialog = qobject_cast<QDialog*>(widget); dialog != nullptr && dialog->isVisible())
+        dialog->reject();
+    const bool open = QApplication::activeModalWidget() != nullptr ||
+                      QApplication::activePopupWidget() != nullptr || under_ > 0;
+    if (!open) return then();
+    QTimer::singleShot(20, qApp, [this, then] { closeAllAndThen(then); });
+  }
   void finish() {
     ended_ = true;
-    // Dialogs keep the event loop until they are closed.
-    if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
-    if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->reject();
-    const bool open =
-        QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr;
     // Not quit(), which asks about what is not saved.
-    if (!open) return QApplication::exit();
-    QTimer::singleShot(20, qApp, [this] { finish(); });
+    closeAllAndThen([] { QApplication::exit(); });
+  }
+  /// Brings the window to where its memory can be compared, and looks.
+  void calmDown() {
+    constexpr int kUntilBuilt = 2000;  // ms
+    watch_.begin("calm");
+    if (log_.is_open()) log_ << monkey::Action{0, QStringLiteral("calm"), {}}.line() << std::endl;
+    closeAllAndThen([this] {
+      performer_.calm();
+      QTimer::singleShot(kUntilBuilt, qApp, [this] {
+        watch_.lookAtMemory();
+        calmAt_ = static_cast<double>(clock_.elapsed());
+        next();
+      });
+    });
   }
 
   const Orders& orders_;
@@ -144,7 +171,8 @@ class Player {
   std::ifstream script_;
   QElapsedTimer clock_;
   long count_ = 0;
-  int under_ = 0;  ///< actions that are under way, one within the other
+  double calmAt_ = 0.0;  ///< ms
+  int under_ = 0;        ///< actions that are under way, one within the other
   bool ended_ = false;
 };
 

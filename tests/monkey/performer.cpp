@@ -195,6 +195,13 @@ void Performer::load(const QString& name, bool asking) {
   window_.showViewport();
 }
 
+void Performer::calm() {
+  ui::Session& session = window_.session();
+  session.stopRun();
+  load(QStringLiteral("slab"), false);
+  while (!session.takes().empty()) session.takes().remove(session.takes().size() - 1);
+}
+
 QStringList Performer::sceneNames() {
   return {"cup", "slab", "tracks", "shards", "empty", "many"};
 }

@@ -21,8 +21,7 @@
 namespace monkey {
 namespace {
 
-constexpr int kBeat = 20;        // ms
-constexpr int kRemember = 5000;  // ms
+constexpr int kBeat = 20;  // ms
 constexpr double kMegabyte = 1e6;
 char present[512] = "";  ///< the action, for signal handlers
 pthread_t windowThread;
@@ -125,13 +124,8 @@ Watch::Watch() {
 #endif
   clock_.start();
   QObject::connect(&timer_, &QTimer::timeout, [this] { beat(); });
-  QObject::connect(&remembering_, &QTimer::timeout, [this] {
-    memory_.push_back(memoryNow());
-    memory_.back().seconds = static_cast<double>(clock_.elapsed()) * 1e-3;
-  });
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.start(kBeat);
-  remembering_.start(kRemember);
   waitedBefore_ = secondsWaited();
   thread_ = std::thread([this] { main(); });
 }
@@ -176,19 +170,22 @@ std::size_t Watch::ownStalls() const {
   return static_cast<std::size_t>(std::ranges::count(stalls_, false, &Stall::drawing));
 }
 
+void Watch::lookAtMemory() {
+  malloc_trim(0);
+  memory_.push_back(memoryNow());
+  memory_.back().seconds = static_cast<double>(clock_.elapsed()) * 1e-3;
+}
+
 double Watch::growth() const {
-  if (memory_.size() < 12) return 0.0;
-  // Medians, as single looks catch what is there for a moment only.
-  const auto median = [&](std::size_t from, std::size_t count) {
+  const std::size_t sixth = memory_.size() / 6;
+  if (sixth == 0) return 0.0;
+  const auto median = [&](std::size_t from) {
     std::vector<double> some;
-    for (std::size_t i = from; i < from + count; ++i) some.push_back(memory_[i].resident);
-    std::nth_element(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count / 2), some.end());
-    return some[count / 2];
+    for (std::size_t i = from; i < from + sixth; ++i) some.push_back(memory_[i].asked);
+    std::nth_element(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(sixth / 2), some.end());
+    return some[sixth / 2];
   };
-  const std::size_t share = memory_.size() / 12;
-  const double early = median(memory_.size() / 6 - share, share + 1);
-  const double late = median(memory_.size() - share - 1, share + 1);
-  return late / early - 1.0;
+  return median(memory_.size() - sixth) / median(sixth) - 1.0;
 }
 
 }  // namespace monkey

@@ -49,8 +49,10 @@ class Watch {
   /// How many of them are of our own making.
   std::size_t ownStalls() const;
   double longest() const { return longest_; }
+  /// Looks at the memory. What is open then is to be the same each time, or looks cannot be compared.
+  void lookAtMemory();
   const std::vector<Memory>& memory() const { return memory_; }
-  /// How much more is in memory at the end than after the first sixth, as a share of that.
+  /// How much more the program has asked for at the end than after the first sixth, as a share of that.
   double growth() const;
 
  private:
@@ -58,7 +60,6 @@ class Watch {
   void main();
 
   QTimer timer_;
-  QTimer remembering_;
   QElapsedTimer clock_;
   std::atomic<qint64> beatAt_{0};  ///< ms
   std::atomic<bool> ends_{false};
