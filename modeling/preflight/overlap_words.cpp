@@ -61,7 +61,7 @@ std::string sentence(const Overlap& overlap) {
   switch (overlap.kind) {
     case Overlap::Kind::partInObstacle:
       return "the part " + part + " begins " + depth + " inside the obstacle " + other + at +
-             "and will be thrown out; " + remedy(overlap);
+             "and will be let out of it slowly; " + remedy(overlap);
     case Overlap::Kind::obstacleInPart:
       return "the obstacle " + other + " stands " + depth + " deep inside the part " + part + at +
              "between its nodes, which do not feel it there; " + remedy(overlap);

@@ -12,7 +12,7 @@ namespace modeling {
 /// Two things that are in one place before anything moves.
 struct Overlap {
   enum class Kind {
-    partInObstacle,  ///< nodes of the part are inside: they will be thrown out
+    partInObstacle,  ///< nodes of the part are inside: they will be let out slowly
     obstacleInPart,  ///< it stands between the part's nodes, which do not feel it yet
     parts,           ///< two parts: they will stay in each other, and part when something breaks
   };

@@ -86,7 +86,7 @@ class ForcePass {
  private:
   Push pairPush(NodeIndex node, const ContactEntry& entry, const PairConstants& unscaled,
                 std::span<const RowLook> looks) const;
-  Push colliderPush(NodeIndex node, const MovingCollider& collider, const Intrusion& inside,
+  Push colliderPush(NodeIndex node, std::uint32_t collider, const Intrusion& inside,
                     ColliderWork& work) const;
 
   const Contacts& contacts_;
@@ -179,16 +179,19 @@ Push ForcePass::pairPush(NodeIndex node, const ContactEntry& entry, const PairCo
   return push;
 }
 
-Push ForcePass::colliderPush(NodeIndex node, const MovingCollider& collider, const Intrusion& inside,
+Push ForcePass::colliderPush(NodeIndex node, std::uint32_t which, const Intrusion& inside,
                              ColliderWork& work) const {
+  const MovingCollider& collider = moment_.colliders[which];
   const Vec3 here = moment_.motion.position.get(node);
   const double mass = model_.network().masses[node];
   if (inside.depth <= 0.0 || !std::isfinite(mass)) return {};
-  const Vec3 carried = collider.velocityAt(here);
+  const StartDepths::Surface surface = contacts_.starts().of(node, which, moment_.time);
+  if (inside.depth <= surface.depth) return {};
+  const Vec3 carried = collider.velocityAt(here) + surface.speed * inside.normal;
   const Vec3 relative = moment_.motion.velocity.get(node) - carried;
   const double leaving = relative.dot(inside.normal);
   const double stiffness = model_.colliderStiffness(node, collider.shape, moment_.materials);
-  const double elastic = stiffness * inside.depth;
+  const double elastic = stiffness * (inside.depth - surface.depth);
   const double damping = 2.0 * collider.shape.dampingRatio * std::sqrt(stiffness * mass);
   const double normal = std::max(0.0, elastic - damping * leaving);
   const Vec3 friction = frictionForce(relative - leaving * inside.normal, collider.shape.friction * elastic,
@@ -213,7 +216,7 @@ ColliderWork ForcePass::pushRow(std::uint32_t index) {
     add(pairPush(row.node, rows_.entries[e], rows_.constants[e], forces_.looks));
   }
   for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c)
-    add(colliderPush(row.node, moment_.colliders[rows_.nearColliders[c]], forces_.inside[c], work));
+    add(colliderPush(row.node, rows_.nearColliders[c], forces_.inside[c], work));
   forces_.total.set(row.node, sum.total);
   forces_.lossy.set(row.node, sum.lossy);
   return work;
@@ -303,8 +306,10 @@ double contactEnergy(const Contacts& contacts, const ContactMoment& moment) {
           0.5 * spring(constantsNow(contacts, rows.constants[e], row.node, entry, moment).stiffness, depth);
     }
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
-      const Collider& collider = moment.colliders[rows.nearColliders[c]].shape;
-      const double depth = intrusion(collider, here).depth;
+      const std::uint32_t which = rows.nearColliders[c];
+      const Collider& collider = moment.colliders[which].shape;
+      const double depth =
+          intrusion(collider, here).depth - contacts.starts().of(row.node, which, moment.time).depth;
       if (depth > 0.0) sum += spring(model.colliderStiffness(row.node, collider, moment.materials), depth);
     }
   }

@@ -16,6 +16,7 @@ struct ContactMoment {
   std::span<const MovingCollider> colliders;
   std::span<const MaterialNow> materials;
   double kick = 0.0;  ///< s: how long the forces act, for the clamp of friction and the colliders' work
+  double time = 0.0;  ///< s: for what began inside a collider
   /// cm: no node is further than this from where it was when the rows were last aged. Unknown for trial
   /// states: then every row is looked at.
   double lead = std::numeric_limits<double>::infinity();

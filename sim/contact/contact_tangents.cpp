@@ -39,17 +39,20 @@ void addPairTangent(const Contacts& contacts, NodeIndex node, const ContactEntry
   tangents.push_back(tangent);
 }
 
-void addColliderTangent(const Contacts& contacts, NodeIndex node, const MovingCollider& collider,
+void addColliderTangent(const Contacts& contacts, NodeIndex node, std::uint32_t which,
                         const ContactMoment& moment, std::span<const RowLook> looks,
                         std::vector<Tangent>& tangents) {
+  const MovingCollider& collider = moment.colliders[which];
   const Vec3 here = moment.motion.position.get(node);
   const Intrusion inside = intrusion(collider.shape, here);
+  const StartDepths::Surface surface = contacts.starts().of(node, which, moment.time);
   const double mass = contacts.model().network().masses[node];
-  if (inside.depth <= 0.0 || !std::isfinite(mass)) return;
-  const Vec3 relative = moment.motion.velocity.get(node) - collider.velocityAt(here);
+  if (inside.depth <= surface.depth || !std::isfinite(mass)) return;
+  const Vec3 carried = collider.velocityAt(here) + surface.speed * inside.normal;
+  const Vec3 relative = moment.motion.velocity.get(node) - carried;
   const double leaving = relative.dot(inside.normal);
   const double stiffness = contacts.model().colliderStiffness(node, collider.shape, moment.materials);
-  const double elastic = stiffness * inside.depth;
+  const double elastic = stiffness * (inside.depth - surface.depth);
   const double damping = 2.0 * collider.shape.dampingRatio * std::sqrt(stiffness * mass);
   Tangent tangent{node, kNone, inside.normal, 0.0, 0.0, 0.0, 0.0};
   if (elastic - damping * leaving > 0.0) {
@@ -74,8 +77,7 @@ void addContactTangents(const Contacts& contacts, const ContactMoment& moment, c
       if (entry.other > row.node) addPairTangent(contacts, row.node, entry, moment, forces.looks, tangents);
     }
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c)
-      addColliderTangent(contacts, row.node, moment.colliders[rows.nearColliders[c]], moment, forces.looks,
-                         tangents);
+      addColliderTangent(contacts, row.node, rows.nearColliders[c], moment, forces.looks, tangents);
   }
   for (const BrokenPair& pair : rows.fresh)
     addPairTangent(contacts, pair.a, {pair.restLength, pair.b, pair.bond}, moment, {}, tangents);

@@ -1,5 +1,7 @@
 #include "sim/contact/contacts.h"
 
+#include <utility>
+
 #include "sim/contact/surface_follow.h"
 #include "sim/contact/surface_search.h"
 
@@ -24,7 +26,7 @@ void Contacts::ageByStep(const Motion& motion, double travel) {
 }
 
 void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
-                       std::span<const MovingCollider> colliders, double travel) {
+                       std::span<const MovingCollider> colliders, double time, double travel) {
   std::vector<ContactCandidate> pairs = rows_.settleBroken(model_, motion, components);
   outside_.follow(breakage);
   const FragmentBoxes boxes(motion.position, components.fragmentOfNode(), components.births().size());
@@ -44,6 +46,12 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
     surfaces_ = {};
   }
   const NearColliders near = findNearColliders(model_, scene, travel);
+  if (const auto among = std::exchange(startsAmong_, std::nullopt)) {
+    starts_.begin({model_.network(), components, motion.position, colliders, time}, near.nodes, *among);
+  } else {
+    surfacesStart_ = false;
+    starts_.forgetPast(motion.position, colliders, time);
+  }
   rows_.fill(model_, pairs, near.nodes);
   RowAge::Found found;
   found.pairsMayMeet = (model_.settings().between && components.births().size() > 1) ||
@@ -56,16 +64,21 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
 }
 
 double Contacts::follow(const NodeVectors& positions) {
-  return surfaces_.quiet() ? 0.0 : followSurfaces(model_, outside_, positions, age_.odometer(), surfaces_);
+  if (surfaces_.quiet()) return 0.0;
+  const bool starts = std::exchange(surfacesStart_, false);
+  return followSurfaces(model_, outside_, {positions, age_.odometer(), starts}, surfaces_);
 }
 
-void Contacts::takeOver(const Contacts& other) {
+void Contacts::takeOver(const Contacts& other, std::span<const MovingCollider> before) {
   rows_.takeOver(model_, other.rows_);
   // Contacts find their rows again when rows are filled anew.
   if (model_.settings().kind == ContactKind::surfaces) {
     outside_.takeOver(other.outside_);
     surfaces_ = other.surfaces_;
   }
+  starts_ = other.starts_;
+  startsAmong_.emplace(before.begin(), before.end());
+  surfacesStart_ = other.surfacesStart_;
   rebuilds_ = other.rebuilds_;
   searches_ = other.searches_;
   age_.makeStale();
@@ -76,6 +89,8 @@ void Contacts::save(ByteWriter& writer) const {
   age_.save(writer);
   outside_.save(writer);
   surfaces_.save(writer);
+  starts_.save(writer);
+  writer.put<std::uint8_t>(surfacesStart_ ? 1 : 0);
   writer.put(rebuilds_);
   writer.put(searches_);
 }
@@ -83,8 +98,13 @@ void Contacts::save(ByteWriter& writer) const {
 bool Contacts::load(ByteReader& reader, std::span<const MovingCollider> colliders) {
   if (!rows_.load(model_, reader, colliders.size()) ||
       !age_.load(reader, model_.network().nodeCount(), anyColliderEnds(colliders)) ||
-      !outside_.load(reader) || !surfaces_.load(outside_, reader))
+      !outside_.load(reader) || !surfaces_.load(outside_, reader) ||
+      !starts_.load(reader, model_.network().nodeCount(), colliders.size()))
     return false;
+  std::uint8_t surfacesStart = 0;
+  reader.read(surfacesStart);
+  surfacesStart_ = surfacesStart != 0;
+  startsAmong_.reset();
   reader.read(rebuilds_);
   reader.read(searches_);
   return reader.ok();
@@ -92,7 +112,7 @@ bool Contacts::load(ByteReader& reader, std::span<const MovingCollider> collider
 
 std::size_t Contacts::memoryBytes() const {
   return model_.memoryBytes() + rows_.memoryBytes() + age_.memoryBytes() + grid_.memoryBytes() +
-         outside_.memoryBytes() + surfaces_.memoryBytes();
+         outside_.memoryBytes() + surfaces_.memoryBytes() + starts_.memoryBytes();
 }
 
 }  // namespace sim

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "sim/contact/contact_rows.h"
 #include "sim/contact/contact_search.h"
 #include "sim/contact/row_age.h"
+#include "sim/contact/start_depths.h"
 #include "sim/contact/surface_rows.h"
 
 namespace sim {
@@ -26,6 +29,7 @@ class Contacts {
   const ContactRows& rows() const { return rows_; }
   const SurfaceRows& surfaces() const { return surfaces_; }
   const Outside& outside() const { return outside_; }
+  const StartDepths& starts() const { return starts_; }
   /// Pairs of nodes, and of nodes or edges with surfaces, that are looked at.
   std::size_t pairCount() const { return rows_.pairCount() + surfaces_.near.size(); }
   /// Nothing can push.
@@ -38,17 +42,18 @@ class Contacts {
   void addBroken(BondIndex bond, double restLength);
   /// Ages the rows by one step in which no node moved further than `travel` (cm).
   void ageByStep(const Motion& motion, double travel);
-  /// Makes the rows anew. `travel`: no node goes further in a step, as far as is known, cm.
+  /// Makes the rows anew at a time (s). `travel`: no node goes further in a step, as far as is known, cm. What
+  /// is inside something when this is first done begins there.
   void rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
-               std::span<const MovingCollider> colliders, double travel = 0.0);
+               std::span<const MovingCollider> colliders, double time, double travel = 0.0);
   /// Lets rho grow where pairs are apart. Once a step; forces of the same moment do not depend on it.
   void settle(const Motion& motion) { rows_.growApart(model_, motion); }
   /// Surfaces that touch are found at these positions. Once a step, before its forces. Gives what energy is
   /// lost by it, erg.
   double follow(const NodeVectors& positions);
   /// Remembers the pairs that contacts of the same network remember, under other settings or among other
-  /// colliders. Rows are stale.
-  void takeOver(const Contacts& other);
+  /// colliders than `before`. Rows are stale.
+  void takeOver(const Contacts& other, std::span<const MovingCollider> before);
 
   /// Calls visit(i, j) for each two nodes that may push each other before the next rebuild, whichever comes
   /// first; where surfaces are near, for each two of their corners, some several times.
@@ -97,6 +102,10 @@ class Contacts {
   HashGrid grid_;
   Outside outside_;
   SurfaceRows surfaces_;
+  StartDepths starts_;
+  /// Until rows are made for the first time: the colliders among which all was before.
+  std::optional<std::vector<MovingCollider>> startsAmong_ = std::vector<MovingCollider>();
+  bool surfacesStart_ = true;  ///< what is inside another surface at the next look begins there
   std::uint64_t rebuilds_ = 0;
   std::uint64_t searches_ = 0;
 };

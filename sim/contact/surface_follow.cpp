@@ -41,8 +41,8 @@ constexpr std::size_t kRowsPerTask = 32;
 class RowFollow {
  public:
   RowFollow(const ContactModel& model, const Outside& outside, const NodeVectors& positions,
-            std::span<const SurfaceContact> before)
-      : model_(model), outside_(outside), positions_(positions), before_(before) {}
+            std::span<const SurfaceContact> before, bool starts)
+      : model_(model), outside_(outside), positions_(positions), before_(before), starts_(starts) {}
 
   void node(std::uint32_t rowIndex, NodeIndex node, std::span<const std::uint32_t> near,
             std::vector<SurfaceContact>& found);
@@ -70,6 +70,7 @@ class RowFollow {
   const Outside& outside_;
   const NodeVectors& positions_;
   std::span<const SurfaceContact> before_;
+  bool starts_;
   double clearance_ = std::numeric_limits<double>::infinity();
   double overcounted_ = 0.0;
 };
@@ -220,7 +221,10 @@ void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std
     candidate.distance = (w[0] * a + w[1] * b + w[2] * c - point).norm();
     all.push_back(candidate);
   }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Candidate& candidate : all) nearest = std::min(nearest, candidate.distance);
   std::vector<SurfaceContact> contacts;
+  std::vector<std::uint8_t> beginsInside;
   for (const Candidate& candidate : all) {
     const OutsideTriangle& triangle = outside_.triangles()[candidate.triangle];
     const double natural = looseReach(model_, outside_, node) + reachOf(model_, node, triangle.nodes[0]);
@@ -240,6 +244,8 @@ void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std
     contact.stiffness = constants.stiffness;
     contact.damping = constants.damping;
     contacts.push_back(contact);
+    // Behind the nearest of all faces it is really inside, not beyond a thin wall.
+    beginsInside.push_back(candidate.distance <= nearest ? 1 : 0);
   }
   // Each old contact goes on in one place: where it was, if there is one there still.
   std::vector<const SurfaceContact*> olds(contacts.size(), nullptr);
@@ -254,7 +260,9 @@ void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (olds[c] == nullptr) olds[c] = besideUnclaimed(contacts[c], claimed);
-    if (contacts[c].inside != 0 && (olds[c] == nullptr || !goesOn(contacts[c], *olds[c]))) continue;
+    const bool begins = starts_ && beginsInside[c] != 0;
+    if (contacts[c].inside != 0 && !begins && (olds[c] == nullptr || !goesOn(contacts[c], *olds[c])))
+      continue;
     settle(contacts[c], olds[c], found);
   }
 }
@@ -323,8 +331,10 @@ void RowFollow::edge(std::uint32_t rowIndex, std::uint32_t which, std::span<cons
 
 }  // namespace
 
-double followSurfaces(const ContactModel& model, const Outside& outside, const NodeVectors& positions,
-                      double odometer, SurfaceRows& rows) {
+double followSurfaces(const ContactModel& model, const Outside& outside, const SurfaceMoment& moment,
+                      SurfaceRows& rows) {
+  const NodeVectors& positions = moment.positions;
+  const double odometer = moment.odometer;
   std::vector<double> lost(rows.rows.size(), 0.0);
   const auto old = [&](std::size_t r) {
     return std::span<const SurfaceContact>(rows.contacts)
@@ -335,7 +345,7 @@ double followSurfaces(const ContactModel& model, const Outside& outside, const N
         if (odometer < rows.clearUntil[r]) return;
         const SurfaceRow& row = rows.rows[r];
         const std::size_t begin = found.size();
-        RowFollow follow(model, outside, positions, old(r));
+        RowFollow follow(model, outside, positions, old(r), moment.starts);
         const std::span near =
             std::span<const std::uint32_t>(rows.near).subspan(row.first, row.last - row.first);
         if (row.isEdge) {

@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 /// Changes with the layout of checkpoints, so that a run is never resumed from one it cannot read.
-constexpr std::uint32_t kCheckpointVersion = 10;
+constexpr std::uint32_t kCheckpointVersion = 11;
 
 const Problem kDamaged{"checkpoint", "it does not belong to this network, or is damaged",
                        "resume from an earlier one, or run again"};

@@ -183,7 +183,7 @@ void Stepper::refreshContacts() {
   }
   placeBodies(world_);
   world_.contacts.rebuild(world_.now, world_.components, world_.breakage, world_.controls.colliders(),
-                          world_.clock.step * fastestSpeed(world_));
+                          world_.time(), world_.clock.step * fastestSpeed(world_));
   ++world_.work.neighbourLists;
   world_.work.contactSearches = world_.contacts.searches();
   noteNewRows(world_);
@@ -295,7 +295,7 @@ void Stepper::takeOver(Stepper& other) {
     world_.controls.moveTo(world_.controlsTime);
     if (length_.hasTolerance() && integrator_->stepsAsWanted())
       length_.beginSurely(world_.controls.largestStiffnessScale());
-    world_.contacts.takeOver(other.world_.contacts);
+    world_.contacts.takeOver(other.world_.contacts, other.world_.controls.colliders());
     refreshContacts();
     world_.ledger.addOutsideWork(potentialEnergy(world_) - before);
     world_.ledger.addOutsideWork(world_.ledger.gravityWork(

@@ -131,12 +131,18 @@ void RigidBody::placeTouched(Motion& motion) const {
   }
 }
 
+bool RigidBody::bears(double load, double seconds, double gravity) {
+  load_ += (load - load_) * std::min(1.0, bearing_.time > 0.0 ? seconds / bearing_.time : 1.0);
+  return load_ <= bearing_.most + mass_ * gravity * radius_;
+}
+
 void RigidBody::save(ByteWriter& writer) const {
   writer.put(fragment_);
   writer.putVector(nodes_);
   writer.putVector(shape_);
   writer.putVector(touched_);
-  for (const double value : {mass_, radius_, gentleSpeed_}) writer.put(value);
+  for (const double value : {mass_, radius_, gentleSpeed_, bearing_.most, bearing_.time, load_})
+    writer.put(value);
   for (const Vec3& vector : {inverseInertia_, centre_, velocity_, angularMomentum_}) writer.put(vector);
   for (const double value : worldFromBody_.coeffs()) writer.put(value);
 }
@@ -146,7 +152,7 @@ bool RigidBody::load(ByteReader& reader, std::size_t nodeCount) {
   reader.readVector(nodes_);
   reader.readVector(shape_);
   reader.readVector(touched_);
-  for (double* value : {&mass_, &radius_, &gentleSpeed_}) reader.read(*value);
+  for (double* value : {&mass_, &radius_, &gentleSpeed_, &bearing_.most, &bearing_.time, &load_}) reader.read(*value);
   for (Vec3* vector : {&inverseInertia_, &centre_, &velocity_, &angularMomentum_}) reader.read(*vector);
   for (double& value : worldFromBody_.coeffs()) reader.read(value);
   const auto isNode = [&](NodeIndex node) { return node < nodeCount; };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,16 @@ class RigidBody {
   /// No contact may near faster than this, or it must deform, cm/s.
   double gentleSpeed() const { return gentleSpeed_; }
   void setGentleSpeed(double speed) { gentleSpeed_ = speed; }
+  /// What loads do to it, which it does not show by deforming. A load is the sum of each push times its arm
+  /// from the centre (erg), the mean stress times the volume where pushes are in balance.
+  struct Bearing {
+    double most = std::numeric_limits<double>::infinity();  ///< erg: more than this and it must deform
+    double time = 0.0;  ///< s: so long must a load last to bend it
+  };
+  void setBearing(const Bearing& bearing) { bearing_ = bearing; }
+  /// A load for so many seconds. False when the body must deform: it is more than it bears beside its own
+  /// weight under this gravity (cm/s^2).
+  bool bears(double load, double seconds, double gravity);
   /// Places in nodes() of those that contacts may push, ascending.
   const std::vector<std::uint32_t>& touched() const { return touched_; }
   void setTouched(std::vector<std::uint32_t> places) { touched_ = std::move(places); }
@@ -87,6 +98,8 @@ class RigidBody {
   std::vector<NodeIndex> nodes_;
   std::vector<std::uint32_t> touched_;
   double gentleSpeed_ = 0.0;
+  Bearing bearing_;
+  double load_ = 0.0;        ///< erg: mean of late
   std::vector<Vec3> shape_;  ///< from the centre, in the axes of inertia, cm
   double mass_ = 0.0;
   double radius_ = 0.0;                  ///< of the furthest node, cm

@@ -9,11 +9,13 @@ namespace {
 struct Push {
   Vec3 force = Vec3::Zero();          ///< dyn
   Vec3 torque = Vec3::Zero();         ///< about the centre, dyn cm
+  double load = 0.0;                  ///< erg, as in RigidBody::Bearing
   std::vector<std::uint32_t> places;  ///< in nodes(), of those pushed
 
   /// For another body.
   void clear() {
     force = torque = Vec3::Zero();
+    load = 0.0;
     places.clear();
   }
 };
@@ -25,8 +27,10 @@ void findPush(const RigidBody& body, const ContactForces& forces, Push& push) {
     if (forces.touched[node / kBlockNodes] == 0) continue;
     const Vec3 force = forces.total.get(node);
     if (force.isZero(0.0)) continue;
+    const Vec3 arm = body.arm(place);
     push.force += force;
-    push.torque += body.arm(place).cross(force);
+    push.torque += arm.cross(force);
+    push.load += force.norm() * arm.norm();
     push.places.push_back(place);
   }
 }
@@ -54,6 +58,7 @@ double moveBodies(World& world, double kick, double drift, bool byOldVelocity) {
   for (RigidBody& body : world.fragments.bodies) {
     const Vec3 old = body.velocity();
     findPush(body, world.forces, push);
+    if (!body.bears(push.load, kick, gravity.norm())) world.stopped.push_back(body.fragment());
     if (push.places.empty()) {
       body.kick(kick * gravity);
     } else {

@@ -27,8 +27,15 @@ constexpr double kHeldStrainShare = 0.7;
 /// Of the square of its extent over its thickness and the speed of sound: half of a free plate's slowest
 /// swing.
 constexpr double kHalfSwing = 0.5;
+/// Of what is nothing to speak of: what bears more must deform. ...
+constexpr double kLoadShare = 0.8;
+/// ... Bending strains a wall by so many times the mean, times its extent over its thickness (a beam on two
+/// supports, loaded in its middle).
+constexpr double kBending = 3.0;
+/// Sum of k L^2 over Young's modulus times volume: the bulk modulus is two thirds of it (Poisson's ratio 1/4).
+constexpr double kStiffnessShare = 6.0;
 /// Gentle is what nears slowly enough: 0.15 threshold times speed of sound, given kCalmStrainShare and the
-/// two thirds of the speed of sound that calmSpeed() finds.
+/// two thirds of the speed of sound that strainsOf() finds.
 constexpr double kGentleShare = 0.9;
 
 double calmStrain(Past past) {
@@ -39,7 +46,9 @@ double calmStrain(Past past) {
 /// How strained a fragment's whole bonds are.
 struct Strains {
   double calm = 0.0;     ///< is nothing to speak of
+  double bears = 0.0;    ///< is nothing to speak of in what touches something
   double largest = 0.0;  ///< of either sign
+  double stiffness = 0.0;  ///< erg: sum of k L^2
   bool mayGive = false;  ///< some bond yields, or is too near its threshold
   double sound = 0.0;    ///< cm/s: about two thirds of the speed of sound
   std::size_t bonds = 0;
@@ -49,7 +58,7 @@ Strains strainsOf(const World& world, const RigidBody& body, Past past) {
   const Network& network = world.network;
   Strains strains;
   strains.calm = calmStrain(past);
-  double stiffness = 0.0;
+  strains.bears = calmStrain(past == Past::untouched ? Past::touched : past);
   for (const NodeIndex node : body.nodes()) {
     for (BondIndex bond = network.firstBond[node]; bond < network.firstBond[node + 1]; ++bond) {
       if (world.breakage.bondBroken(bond)) continue;
@@ -57,17 +66,18 @@ Strains strainsOf(const World& world, const RigidBody& body, Past past) {
       const Material& material = network.materials[constants.material];
       const double threshold = network.thresholds[bond];
       const double strain = std::abs(strainIn(world, world.now, bond));
-      strains.calm = std::min(
-          strains.calm, std::isfinite(material.thresholdMean) ? kCalmStrainShare * threshold : kUndeformed);
+      const double most = std::isfinite(material.thresholdMean) ? kCalmStrainShare * threshold : kUndeformed;
+      strains.calm = std::min(strains.calm, most);
+      strains.bears = std::min(strains.bears, most);
       strains.largest = std::max(strains.largest, strain);
       if (strain > kHeldStrainShare * threshold || strain > material.yieldStrain) strains.mayGive = true;
-      stiffness += constants.stiffness * constants.restLength * constants.restLength;
+      strains.stiffness += constants.stiffness * constants.restLength * constants.restLength;
       ++strains.bonds;
     }
   }
   // Mean of k L^2 over mean mass: two thirds of the speed of sound, or a little less.
   if (strains.bonds > 0)
-    strains.sound = std::sqrt(stiffness / static_cast<double>(strains.bonds) *
+    strains.sound = std::sqrt(strains.stiffness / static_cast<double>(strains.bonds) *
                               static_cast<double>(body.nodes().size()) / body.mass());
   return strains;
 }
@@ -80,26 +90,61 @@ bool vibratesBelow(const World& world, const RigidBody& body, double speed) {
   return true;
 }
 
-/// The speed at which what nears a body is still gentle, cm/s; zero where its strain or its vibration is more
-/// than nothing to speak of. What broke may be strained for good, by its broken bonds, which push inside it:
-/// so if its strain is more, it must have been quiet for half of its slowest swing.
-double calmSpeed(const World& world, const RigidBody& body, double interval, FragmentRecord& record) {
+/// s: what its slowest swing takes, half of it, if it is a free plate.
+double halfSwingOf(const World& world, const RigidBody& body, const Strains& strains) {
+  const double extent = 2.0 * body.radius();
+  return kHalfSwing * extent * extent / (world.fragments.typicalLength * strains.sound);
+}
+
+/// cm: of its walls, if they are all alike. Zero where it has no outside.
+double thicknessOf(const World& world, const RigidBody& body) {
+  const Outside& outside = world.contacts.outside();
+  double area = 0.0;
+  double volume = 0.0;
+  for (const NodeIndex node : body.nodes()) {
+    for (const std::uint32_t t : outside.trianglesOf(node)) {
+      const OutsideTriangle& triangle = outside.triangles()[t];
+      if (triangle.nodes[0] != node) continue;
+      const Vec3 a = world.now.position.get(triangle.nodes[0]) - body.centre();
+      const Vec3 b = world.now.position.get(triangle.nodes[1]) - body.centre();
+      const Vec3 c = world.now.position.get(triangle.nodes[2]) - body.centre();
+      area += 0.5 * (b - a).cross(c - a).norm();
+      volume += a.dot(b.cross(c)) / 6.0;
+    }
+  }
+  return area > 0.0 && volume > 0.0 ? 2.0 * volume / area : 0.0;
+}
+
+/// What the body bears before it is strained by more than nothing to speak of.
+RigidBody::Bearing bearingOf(const World& world, const RigidBody& body, const Strains& strains) {
+  const double thickness = thicknessOf(world, body);
+  if (thickness == 0.0) return {};
+  const double slender = std::max(1.0, 2.0 * body.radius() / thickness);
+  const double strainShare = kStiffnessShare * kBending * slender / strains.stiffness;
+  return {kLoadShare * strains.bears / strainShare, halfSwingOf(world, body, strains)};
+}
+
+/// May the body go rigid, and if so, what it then bears. Not where its strain or its vibration is more than
+/// nothing to speak of. What broke may be strained for good, by its broken bonds, which push inside it: so if
+/// its strain is more, it must have been quiet for half of its slowest swing.
+bool isCalm(const World& world, RigidBody& body, double interval, FragmentRecord& record) {
   const Strains strains = strainsOf(world, body, record.past);
-  if (strains.bonds == 0) return std::numeric_limits<double>::infinity();
+  body.setGentleSpeed(std::numeric_limits<double>::infinity());
+  if (strains.bonds == 0) return true;
   const double quietSpeed = strains.calm * strains.sound;
   const bool strained = strains.largest > strains.calm;
   if (strains.mayGive || (strained && record.past != Past::broken) ||
       !vibratesBelow(world, body, quietSpeed)) {
     record.quietLooks = 0;
-    return 0.0;
+    return false;
   }
   if (strained) {
-    const double extent = 2.0 * body.radius();
-    const double halfSwing = kHalfSwing * extent * extent / (world.fragments.typicalLength * strains.sound);
     if (record.quietLooks < std::numeric_limits<std::uint16_t>::max()) ++record.quietLooks;
-    if (static_cast<double>(record.quietLooks) * interval < halfSwing) return 0.0;
+    if (static_cast<double>(record.quietLooks) * interval < halfSwingOf(world, body, strains)) return false;
   }
-  return kGentleShare * quietSpeed;
+  body.setGentleSpeed(kGentleShare * quietSpeed);
+  body.setBearing(bearingOf(world, body, strains));
+  return quietSpeed > 0.0;
 }
 
 /// Nodes that contacts no longer push stand in the lattice.
@@ -185,8 +230,7 @@ void freezeCalm(World& world, double time, double interval) {
       continue;
     }
     RigidBody body(world.network, fragment, fragments.activity.nodesOf(fragment), world.now);
-    body.setGentleSpeed(calmSpeed(world, body, interval, record));
-    if (body.gentleSpeed() > 0.0) {
+    if (isCalm(world, body, interval, record)) {
       makeRigid(world, std::move(body));
     } else if (record.quietLooks == 0) {
       waitLonger(record);

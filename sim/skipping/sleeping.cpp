@@ -100,6 +100,26 @@ void noteNeighbours(World& world, const std::vector<FragmentSums>& sums) {
   mergePairs(neighbours);
 }
 
+namespace {
+
+/// Fragments that held nodes touch, or nearly, while they are moved: however slowly, it is a load.
+std::vector<FragmentId> besideCarried(const World& world) {
+  std::vector<FragmentId> beside;
+  if (world.carried.empty()) return beside;
+  const auto moves = [&](NodeIndex node) {
+    return std::ranges::binary_search(world.carried, node) && !world.now.velocity.get(node).isZero(0.0);
+  };
+  world.contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) {
+    if (moves(i)) beside.push_back(world.components.of(j));
+    if (moves(j)) beside.push_back(world.components.of(i));
+  });
+  std::ranges::sort(beside);
+  beside.erase(std::ranges::unique(beside).begin(), beside.end());
+  return beside;
+}
+
+}  // namespace
+
 void fallAsleep(World& world, const std::vector<FragmentSums>& sums, double time) {
   std::vector<FragmentRecord>& records = world.fragments.records;
   const RestLimits limits = restLimits(world);
@@ -118,6 +138,7 @@ void fallAsleep(World& world, const std::vector<FragmentSums>& sums, double time
     if (speedGiven(sums[a].mass, sums[b].mass, approach) > limits.speed) resting[b] = 0;
     if (speedGiven(sums[b].mass, sums[a].mass, approach) > limits.speed) resting[a] = 0;
   }
+  for (const FragmentId fragment : besideCarried(world)) resting[fragment] = 0;
   for (FragmentId fragment = 0; fragment < records.size(); ++fragment) {
     if (resting[fragment] != 0 && !flows(world, fragment))
       putToSleep(world, fragment, sums[fragment].kinetic);
@@ -127,6 +148,7 @@ void fallAsleep(World& world, const std::vector<FragmentSums>& sums, double time
 void wakeByContact(World& world, const std::vector<FragmentSums>& sums, double time) {
   if (!world.fragments.activity.any(FragmentState::asleep)) return;
   wakeLeftBehind(world, sums, time);
+  for (const FragmentId fragment : besideCarried(world)) wakeIfAsleep(world, fragment, time);
   const double enough = kWake * restLimits(world).speed;
   for (const auto& [a, b, approach] : world.fragments.neighbours) {
     if (speedGiven(sums[a].mass, sums[b].mass, approach) > enough) wakeIfAsleep(world, b, time);

@@ -66,6 +66,7 @@ ContactMoment contactMoment(const World& world, double kick) {
           world.controls.colliders(),
           world.controls.materials(),
           kick,
+          world.time(),
           0.0,
           world.fragments.activity.movedLanes(),
           world.fragments.activity.version(),

@@ -58,7 +58,7 @@ TEST_CASE("rows hold every pair that is near enough, and nodes are compared only
   sim::Motion motion{sim::NodeVectors(network.nodeCount()), sim::NodeVectors(network.nodeCount())};
   for (std::size_t n = 0; n < network.nodeCount(); ++n) motion.position.set(n, network.positions[n]);
   sim::Contacts contacts(network, sim::ContactSettings{.kind = sim::ContactKind::nodes});
-  contacts.rebuild(motion, components, breakage, {});
+  contacts.rebuild(motion, components, breakage, {}, 0.0);
   std::set<std::pair<NodeIndex, NodeIndex>> found;
   contacts.forEachNearPair([&](NodeIndex i, NodeIndex j) { found.emplace(i, j); });
   std::set<std::pair<NodeIndex, NodeIndex>> expected;

@@ -225,7 +225,7 @@ TEST_CASE("lists of neighbours find every pair that touches, however nodes move 
   constexpr double kStep = 1e-3;
   constexpr int kSteps = 300;
   for (int step = 0; step < kSteps; ++step) {
-    if (contacts.age().stale()) contacts.rebuild(motion, components, breakage, {});
+    if (contacts.age().stale()) contacts.rebuild(motion, components, breakage, {}, 0.0);
     sim::findContactForces(contacts, {motion, {}, materials, kStep, 0.0}, forces);
     contacts.settle(motion);
     const std::vector<Vec3> expected = truth.forces(motion, components);
