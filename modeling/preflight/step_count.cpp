@@ -93,7 +93,9 @@ double expectedSteps(const sim::Simulation& simulation, const sim::Environment& 
       speed = std::max(speed, flight.speed());
     }
     const bool allFly = std::ranges::all_of(flights, [](const Flight& flight) { return flight.flies(); });
-    paces.push_back({time, speed, !(freezesInFlight && allFly)});
+    const bool someLie = std::ranges::any_of(
+        flights, [](const Flight& flight) { return std::ranges::count(flight.landed, true) > 0; });
+    paces.push_back({time, speed, !(freezesInFlight && allFly), someLie});
   }
   double steps = 0.0;
   for (const double step : simulation.stepsAt(paces)) steps += part / step;

@@ -65,11 +65,15 @@ PairConstants ContactModel::scaled(const PairConstants& constants, NodeIndex nod
   return {scale * constants.stiffness, std::sqrt(scale) * constants.damping};
 }
 
+double ContactModel::unscaledStiffness(NodeIndex node, const Collider& collider) const {
+  return collider.stiffness ? *collider.stiffness
+                            : settings_.stiffnessScale * static_cast<double>(nodeStiffness_[node]);
+}
+
 double ContactModel::colliderStiffness(NodeIndex node, const Collider& collider,
                                        std::span<const MaterialNow> materials) const {
-  if (collider.stiffness) return *collider.stiffness;
-  return settings_.stiffnessScale * static_cast<double>(nodeStiffness_[node]) *
-         materials[network_->nodeMaterials[node]].stiffnessScale;
+  const double unscaled = unscaledStiffness(node, collider);
+  return collider.stiffness ? unscaled : unscaled * materials[network_->nodeMaterials[node]].stiffnessScale;
 }
 
 }  // namespace sim

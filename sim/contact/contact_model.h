@@ -50,6 +50,8 @@ class ContactModel {
   /// broken bond keeps to its own material, or its energy would change as it breaks.
   PairConstants scaled(const PairConstants& constants, NodeIndex node, const ContactEntry& entry,
                        std::span<const MaterialNow> materials) const;
+  /// dyn/cm, where no track scales anything
+  double unscaledStiffness(NodeIndex node, const Collider& collider) const;
   /// dyn/cm
   double colliderStiffness(NodeIndex node, const Collider& collider,
                            std::span<const MaterialNow> materials) const;

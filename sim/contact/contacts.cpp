@@ -47,7 +47,7 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
   }
   const NearColliders near = findNearColliders(model_, scene, travel);
   if (const auto among = std::exchange(startsAmong_, std::nullopt)) {
-    starts_.begin({model_.network(), components, motion.position, colliders, time}, near.nodes, *among);
+    starts_.begin({model_, components, motion.position, colliders, time}, near.nodes, *among);
   } else {
     surfacesStart_ = false;
     starts_.forgetPast(motion.position, colliders, time);

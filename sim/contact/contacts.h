@@ -42,8 +42,8 @@ class Contacts {
   void addBroken(BondIndex bond, double restLength);
   /// Ages the rows by one step in which no node moved further than `travel` (cm).
   void ageByStep(const Motion& motion, double travel);
-  /// Makes the rows anew at a time (s). `travel`: no node goes further in a step, as far as is known, cm. What
-  /// is inside something when this is first done begins there.
+  /// Makes the rows anew at a time (s). `travel`: no node goes further in a step, as far as is known, cm.
+  /// What is inside something when this is first done begins there.
   void rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
                std::span<const MovingCollider> colliders, double time, double travel = 0.0);
   /// Lets rho grow where pairs are apart. Once a step; forces of the same moment do not depend on it.

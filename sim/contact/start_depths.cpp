@@ -8,8 +8,6 @@
 namespace sim {
 namespace {
 
-/// Of the node's radius: what is less deep is rounding, or the dent of what rests there.
-constexpr double kLeast = 1e-3;
 /// Cosine: what goes out within 60 degrees of the way that most go goes the same way.
 constexpr double kSameWay = 0.5;
 
@@ -43,13 +41,15 @@ void StartDepths::begin(const Scene& scene, std::span<const NodeAtCollider> near
   std::map<std::pair<FragmentId, std::uint32_t>, Vec3> mostGo;
   for (const auto& [node, c] : near) {
     const MovingCollider& collider = scene.colliders[c];
-    if (!collider.active || !std::isfinite(scene.network.masses[node])) continue;
+    const double mass = scene.model.network().masses[node];
+    if (!collider.active || !std::isfinite(mass)) continue;
     const Vec3 here = scene.positions.get(node);
     const Intrusion inside = intrusion(collider.shape, here);
     const double known = of(node, c, scene.time).depth;
     const double pressed = c < before.size() ? depthIn(before[c], here) : 0.0;
     const double more = inside.depth - std::max(known, pressed);
-    if (more < kLeast * static_cast<double>(scene.network.radii[node])) continue;
+    const double rate = std::sqrt(scene.model.unscaledStiffness(node, collider.shape) / mass);
+    if (!(more * rate > kSpeed)) continue;
     begun.push_back({known + more, scene.time, node, c, 1});
     waysOut.push_back(inside.normal);
     mostGo.try_emplace({scene.components.of(node), c}, Vec3::Zero()).first->second += more * inside.normal;

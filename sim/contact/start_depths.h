@@ -8,14 +8,13 @@
 #include "sim/collider/moving_collider.h"
 #include "sim/contact/contact_rows.h"
 #include "sim/fracture/components.h"
-#include "sim/network/network.h"
 #include "sim/state/motion.h"
 
 namespace sim {
 
-/// Which nodes began inside colliders, and how they are let out: a collider's surface begins where the node is,
-/// and goes from there to where it is meant to be, slowly. So what begins inside something is not thrown out
-/// of it (docs/numerics.md, Contact 12).
+/// Which nodes began inside colliders, and how they are let out: a collider's surface begins where the node
+/// is, and goes from there to where it is meant to be, slowly. So what begins inside something is not thrown
+/// out of it (docs/numerics.md, Contact 12).
 class StartDepths {
  public:
   /// cm/s: how fast what began inside is pushed out.
@@ -33,17 +32,17 @@ class StartDepths {
 
   /// Where everything is when something begins.
   struct Scene {
-    const Network& network;
+    const ContactModel& model;
     const Components& components;
     const NodeVectors& positions;
     std::span<const MovingCollider> colliders;
     double time = 0.0;  ///< s
   };
-  /// All free nodes that are inside an active collider begin so; where they were among `before`, by how much
-  /// deeper they are. `near`: all that may be inside, by node, then collider. Colliders are in one order in
-  /// both; there may be more now. Of a fragment whose nodes would have to go different ways, such as one that
-  /// stands across a narrow wall, only those are pushed that go the way most go; the others are let be until
-  /// they are out.
+  /// All free nodes that an active collider would throw out faster than kSpeed begin inside it; where they
+  /// were inside among `before`, too, by how much deeper they are. `near`: all that may be inside, by node,
+  /// then collider. Colliders are in one order in both; there may be more now. Of a fragment whose nodes
+  /// would have to go different ways, such as one that stands across a narrow wall, only those are pushed
+  /// that go the way most go; the others are let be until they are out.
   void begin(const Scene& scene, std::span<const NodeAtCollider> near,
              std::span<const MovingCollider> before);
   /// Forgets nodes that are out by now, and how deep others were that are less deep.

@@ -67,10 +67,12 @@ double Simulation::step() const {
   return state_->world().clock.step;
 }
 std::vector<double> Simulation::stepsAt(std::span<const Pace> paces) const {
-  const Stiffest touching = state_->stepper.stiffestNow();
+  const Stiffest now = state_->stepper.stiffestNow();
+  Stiffest coiled = state_->stepper.stiffestCoil();
+  coiled.raise(now);
   std::vector<double> steps;
   for (const Pace& pace : paces)
-    steps.push_back(state_->stepper.stepAt(pace.time, pace.speed, pace.deforms, touching));
+    steps.push_back(state_->stepper.stepAt(pace.time, pace.speed, pace.deforms, pace.coils ? coiled : now));
   return steps;
 }
 StepLimit Simulation::stepLimit() const {

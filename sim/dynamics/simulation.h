@@ -44,13 +44,14 @@ class Simulation {
   double time() const;
   double step() const;  ///< s: the step being used now
   StepLimit stepLimit() const;
-  /// A time (s), how fast the fastest node then is (cm/s), and whether anything deforms then.
+  /// What is expected of a time.
   struct Pace {
-    double time = 0.0;
-    double speed = 0.0;
-    bool deforms = true;
+    double time = 0.0;    ///< s
+    double speed = 0.0;   ///< of the fastest node, cm/s
+    bool deforms = true;  ///< some fragment does
+    bool coils = false;   ///< what may touch itself lies upon itself
   };
-  /// s: about how long the step will be at each of these, if things touch as they do now.
+  /// s: about how long the step will be at each of these, if else things touch as they do now.
   std::vector<double> stepsAt(std::span<const Pace> paces) const;
   std::uint64_t stepCount() const;
   std::uint64_t brokenBondCount() const;

@@ -20,6 +20,9 @@ namespace {
 constexpr std::uint64_t kStepsPerLedger = 64;
 /// With a tolerance the step may grow this often.
 constexpr std::uint64_t kStepsPerGrowth = 16;
+/// Where turns lie on each other, so many nodes push one: those around its place in the turn above and in the
+/// one below.
+constexpr double kTouchInCoil = 8.0;
 /// Frames are due when the time is within this share of a step.
 constexpr double kTimeSlack = 1e-6;
 
@@ -224,6 +227,19 @@ StepLimit Stepper::stepLimit() const {
 Stiffest Stepper::stiffestNow() const {
   const ContactMoment moment = contactMoment(world_, integrator_->kick(world_.clock));
   return stiffestContacts(world_.contacts, moment, world_.forces);
+}
+
+Stiffest Stepper::stiffestCoil() const {
+  const ContactModel& model = world_.contacts.model();
+  Stiffest most;
+  if (!model.settings().self) return most;
+  for (NodeIndex node = 0; node < world_.network.nodeCount(); ++node) {
+    const double mass = world_.network.masses[node];
+    if (!std::isfinite(mass) || !model.maySpring(node, node)) continue;
+    const PairConstants pair = model.constantsOf(node, {0.0, node, kNone});
+    most.raise({2.0 * kTouchInCoil * pair.stiffness / mass, 2.0 * kTouchInCoil * pair.damping / mass});
+  }
+  return most;
 }
 
 double Stepper::stepAt(double time, double speed, bool deforms, const Stiffest& touching) const {

@@ -27,6 +27,8 @@ class Stepper {
   StepLimit stepLimit() const;
   /// What touches now.
   Stiffest stiffestNow() const;
+  /// About what touches where something lies in coils upon itself; nothing where that is not looked for.
+  Stiffest stiffestCoil() const;
   /// s: how long the step will be at a time (s) at which no node is faster than `speed` (cm/s).
   double stepAt(double time, double speed, bool deforms, const Stiffest& touching) const;
 

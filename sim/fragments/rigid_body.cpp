@@ -132,8 +132,9 @@ void RigidBody::placeTouched(Motion& motion) const {
 }
 
 bool RigidBody::bears(double load, double seconds, double gravity) {
+  if (firstLoad_ < 0.0) firstLoad_ = load_ = load;
   load_ += (load - load_) * std::min(1.0, bearing_.time > 0.0 ? seconds / bearing_.time : 1.0);
-  return load_ <= bearing_.most + mass_ * gravity * radius_;
+  return load_ <= firstLoad_ + bearing_.most + mass_ * gravity * radius_;
 }
 
 void RigidBody::save(ByteWriter& writer) const {
@@ -141,7 +142,7 @@ void RigidBody::save(ByteWriter& writer) const {
   writer.putVector(nodes_);
   writer.putVector(shape_);
   writer.putVector(touched_);
-  for (const double value : {mass_, radius_, gentleSpeed_, bearing_.most, bearing_.time, load_})
+  for (const double value : {mass_, radius_, gentleSpeed_, bearing_.most, bearing_.time, load_, firstLoad_})
     writer.put(value);
   for (const Vec3& vector : {inverseInertia_, centre_, velocity_, angularMomentum_}) writer.put(vector);
   for (const double value : worldFromBody_.coeffs()) writer.put(value);
@@ -152,7 +153,8 @@ bool RigidBody::load(ByteReader& reader, std::size_t nodeCount) {
   reader.readVector(nodes_);
   reader.readVector(shape_);
   reader.readVector(touched_);
-  for (double* value : {&mass_, &radius_, &gentleSpeed_, &bearing_.most, &bearing_.time, &load_}) reader.read(*value);
+  for (double* value : {&mass_, &radius_, &gentleSpeed_, &bearing_.most, &bearing_.time, &load_, &firstLoad_})
+    reader.read(*value);
   for (Vec3* vector : {&inverseInertia_, &centre_, &velocity_, &angularMomentum_}) reader.read(*vector);
   for (double& value : worldFromBody_.coeffs()) reader.read(value);
   const auto isNode = [&](NodeIndex node) { return node < nodeCount; };

@@ -60,11 +60,12 @@ class RigidBody {
   /// from the centre (erg), the mean stress times the volume where pushes are in balance.
   struct Bearing {
     double most = std::numeric_limits<double>::infinity();  ///< erg: more than this and it must deform
-    double time = 0.0;  ///< s: so long must a load last to bend it
+    double time = 0.0;                                      ///< s: so long must a load last to bend it
   };
   void setBearing(const Bearing& bearing) { bearing_ = bearing; }
   /// A load for so many seconds. False when the body must deform: it is more than it bears beside its own
-  /// weight under this gravity (cm/s^2).
+  /// weight under this gravity (cm/s^2) and the load with which it became rigid, which is all that strained
+  /// it.
   bool bears(double load, double seconds, double gravity);
   /// Places in nodes() of those that contacts may push, ascending.
   const std::vector<std::uint32_t>& touched() const { return touched_; }
@@ -100,6 +101,7 @@ class RigidBody {
   double gentleSpeed_ = 0.0;
   Bearing bearing_;
   double load_ = 0.0;        ///< erg: mean of late
+  double firstLoad_ = -1.0;  ///< erg; below zero: none was seen yet
   std::vector<Vec3> shape_;  ///< from the centre, in the axes of inertia, cm
   double mass_ = 0.0;
   double radius_ = 0.0;                  ///< of the furthest node, cm

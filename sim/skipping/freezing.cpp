@@ -32,7 +32,8 @@ constexpr double kLoadShare = 0.8;
 /// ... Bending strains a wall by so many times the mean, times its extent over its thickness (a beam on two
 /// supports, loaded in its middle).
 constexpr double kBending = 3.0;
-/// Sum of k L^2 over Young's modulus times volume: the bulk modulus is two thirds of it (Poisson's ratio 1/4).
+/// Sum of k L^2 over Young's modulus times volume: the bulk modulus is two thirds of it (Poisson's ratio
+/// 1/4).
 constexpr double kStiffnessShare = 6.0;
 /// Gentle is what nears slowly enough: 0.15 threshold times speed of sound, given kCalmStrainShare and the
 /// two thirds of the speed of sound that strainsOf() finds.
@@ -45,12 +46,12 @@ double calmStrain(Past past) {
 
 /// How strained a fragment's whole bonds are.
 struct Strains {
-  double calm = 0.0;     ///< is nothing to speak of
-  double bears = 0.0;    ///< is nothing to speak of in what touches something
-  double largest = 0.0;  ///< of either sign
+  double calm = 0.0;       ///< is nothing to speak of
+  double bears = 0.0;      ///< is nothing to speak of in what touches something
+  double largest = 0.0;    ///< of either sign
   double stiffness = 0.0;  ///< erg: sum of k L^2
-  bool mayGive = false;  ///< some bond yields, or is too near its threshold
-  double sound = 0.0;    ///< cm/s: about two thirds of the speed of sound
+  bool mayGive = false;    ///< some bond yields, or is too near its threshold
+  double sound = 0.0;      ///< cm/s: about two thirds of the speed of sound
   std::size_t bonds = 0;
 };
 

@@ -132,7 +132,8 @@ class Player {
       if (auto action = monkey::Action::read(QString::fromStdString(line))) return action;
     return std::nullopt;
   }
-  /// Closes what is open before the window, and then calls. Dialogs keep the event loop until they are closed.
+  /// Closes what is open before the window, and then calls. Dialogs keep the event loop until they are
+  /// closed.
   void closeAllAndThen(const std::function<void()>& then) {
     if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
     for (QWidget* widget : QApplication::topLevelWidgets())
