@@ -78,6 +78,12 @@ void addColliders(const LammpsModel& model, std::vector<std::string>& said) {
                         std::string(kindName(collider)));
     else if (collider.activeFrom > model.moment->time || std::isfinite(collider.activeUntil))
       said.emplace_back("the collider \"" + oneLine(collider.name) + "\" is there all the time");
+    const auto isInside = [&](const sim::Vec3& position) {
+      return sim::intrusion(collider, position).depth > 0.0;
+    };
+    if (hasLammpsFormulas(collider) && std::ranges::any_of(model.moment->positions, isInside))
+      said.emplace_back("what begins inside the collider \"" + oneLine(collider.name) +
+                        "\" is thrown out of it, not let out slowly");
   }
 }
 

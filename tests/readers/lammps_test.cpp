@@ -110,12 +110,12 @@ TEST_CASE("LAMMPS pushes off boxes, cylinders and balls, however they are turned
                         {"name": "roller", "kind": "cylinder", "radius": 0.6, "halfHeight": 0.9,
                          "position": [1, 0.9, 0.45], "rotation": [80, 0, 30], "friction": 0.2},
                         {"name": "ball", "kind": "sphere", "radius": 0.5, "position": [-1, 1, 0.6]})",
-       .height = 1.4},
+       .height = 1.6},
       kTwoRanks);
   REQUIRE(runs.theirs->frameCount() == runs.ours->frameCount());
   for (std::size_t frame = 1; frame < runs.ours->frameCount(); ++frame) CHECK(runs.apart(frame) < 1e-10);
   // They do push: without them the slab would be elsewhere.
-  const BothRuns free({.more = R"(, "lossFactor": 1e-12)", .height = 1.4}, kOneRank);
+  const BothRuns free({.more = R"(, "lossFactor": 1e-12)", .height = 1.6}, kOneRank);
   const auto start = *runs.ours->frame(0);
   const auto pushed = *runs.ours->frame(4);
   const auto unpushed = *free.ours->frame(4);
