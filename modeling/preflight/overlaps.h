@@ -42,6 +42,11 @@ struct Overlap {
 /// `keepGoing`, asked now and then, says no.
 std::vector<Overlap> findOverlaps(const BuiltScene& built, const std::function<bool()>& keepGoing = {});
 
+/// Moves parts by what mends the overlaps, one after the other, each with all that hangs on it by glue; a
+/// part that was moved already is left where it is. Gives how many of the overlaps were mended so. Where two
+/// moves lead into each other, findOverlaps() says so afterwards.
+std::size_t applyMends(const std::vector<Overlap>& overlaps, Scene& scene);
+
 /// What a person should know, as a sentence without a full stop, and what to do, after a semicolon.
 std::string sentence(const Overlap& overlap);
 

@@ -1,6 +1,7 @@
 #include "ui/panels/preflight_dialog.h"
 
 #include <QLabel>
+#include <QPushButton>
 
 #include <catch2/catch.hpp>
 
@@ -39,6 +40,32 @@ TEST_CASE(
   CHECK_FALSE(label->isHidden());
   CHECK(label->text().contains(QStringLiteral("begins 0.1 cm inside the obstacle")));
   CHECK(label->text().contains(QStringLiteral("up by 0.1 cm")));
+}
+
+TEST_CASE(
+    "A button of the pre-flight dialog moves out what begins inside something, and undo moves it back") {
+  tests::SessionFixture fixture;
+  modeling::Scene scene = tests::fallingSlab();
+  REQUIRE_FALSE(scene.environment.colliders.empty());
+  fixture.load(scene);
+  const double before = fixture.session.document().scene().parts[0].worldFromPart.position.z();
+  scene.environment.colliders[0].position.z() = before + 0.1;
+  fixture.load(scene);
+  ui::PreflightDialog dialog(fixture.session);
+  CHECK_FALSE(overlapsOf(dialog)->isHidden());
+  auto* button = dialog.findChild<QPushButton*>(QStringLiteral("moveOut"));
+  REQUIRE(button != nullptr);
+  REQUIRE_FALSE(button->isHidden());
+  button->click();
+  const auto heightNow = [&] {
+    return fixture.session.document().scene().parts[0].worldFromPart.position.z();
+  };
+  CHECK(heightNow() > before);
+  REQUIRE(tests::becomesTrue([&] { return dialog.isDone(); }));
+  CHECK(dialog.findChild<QLabel*>(QStringLiteral("overlaps"))->isHidden());
+  CHECK(button->isHidden());
+  fixture.session.document().undoStack().undo();
+  CHECK(heightNow() == before);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/panels/quantity.h"
@@ -83,6 +84,12 @@ PreflightDialog::PreflightDialog(Session& session, QWidget* parent) : QDialog(pa
   overlaps_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   overlaps_->hide();
   column->addWidget(overlaps_);
+  moveOut_ = new QPushButton(tr("&Move Them Out"), this);
+  moveOut_->setObjectName(QStringLiteral("moveOut"));
+  moveOut_->setToolTip(tr("Moves each part by what is said, with what is glued to it, and looks again"));
+  moveOut_->hide();
+  connect(moveOut_, &QPushButton::clicked, this, &PreflightDialog::moveOut);
+  column->addWidget(moveOut_, 0, Qt::AlignLeft);
   makeParts();
   column->addWidget(parts_, 1);
   column->addWidget(makeButtons());
@@ -162,6 +169,7 @@ void PreflightDialog::look() {
   verdict_->setText(tr("Making some steps to see…"));
   busy_->show();
   overlaps_->hide();
+  moveOut_->hide();
   for (QLabel* label : {size_, step_, clock_, second_, memory_, take_, breaking_}) label->clear();
   timer_.start();
 }
@@ -186,6 +194,7 @@ void PreflightDialog::noteChange() {
     return;
   verdict_->setStyleSheet(colouredBy(Theme::instance().colours().warning));
   verdict_->setText(tr("The scene has been changed since: look again."));
+  moveOut_->hide();
 }
 
 void PreflightDialog::showResult() {
@@ -230,6 +239,15 @@ void PreflightDialog::showOverlaps(const modeling::Preflight& flight) {
   overlaps_->setText(overlapLines(flight.overlaps));
   overlaps_->setStyleSheet(colouredBy(Theme::instance().colours().bad));
   overlaps_->setVisible(!flight.overlaps.empty());
+  found_ = flight.overlaps;
+  moveOut_->setVisible(
+      std::ranges::any_of(found_, [](const modeling::Overlap& overlap) { return overlap.mend.has_value(); }));
+}
+
+void PreflightDialog::moveOut() {
+  session_.document().edit(tr("Move Out"),
+                           [&](modeling::Scene& scene) { modeling::applyMends(found_, scene); });
+  look();
 }
 
 void PreflightDialog::showProblem(const sim::Problem& problem) {

@@ -10,12 +10,13 @@ class QDialogButtonBox;
 class QFormLayout;
 class QLabel;
 class QProgressBar;
+class QPushButton;
 class QTreeWidget;
 
 namespace ui {
 
 /// What the run will cost, and what looks wrong before it begins. Stays open beside the window; a click on a
-/// part with bad cells selects it.
+/// part with bad cells selects it, and a button moves out what begins inside something.
 class PreflightDialog : public QDialog {
   Q_OBJECT
 
@@ -34,6 +35,7 @@ class PreflightDialog : public QDialog {
   void showResult();
   void showFlight(const modeling::Preflight& flight);
   void showOverlaps(const modeling::Preflight& flight);
+  void moveOut();
   void showProblem(const sim::Problem& problem);
   void showParts();
 
@@ -52,6 +54,8 @@ class PreflightDialog : public QDialog {
   QLabel* take_;
   QLabel* breaking_;
   QLabel* overlaps_;  ///< a line each
+  QPushButton* moveOut_;
+  std::vector<modeling::Overlap> found_;  ///< what the lines are about
   QTreeWidget* parts_;
 };
 
