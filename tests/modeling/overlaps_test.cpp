@@ -253,7 +253,7 @@ TEST_CASE("what is held in place may stand in an obstacle") {
   CHECK(overlapsOf(slab("a", {4, 4, 1}, {0, 0, -0.5}, 0.5, held), kFloor).empty());
 }
 
-TEST_CASE("the gallery's scenes begin free, but for the table on which two vases stand too near the teapot") {
+TEST_CASE("the gallery's scenes begin free") {
   std::vector<std::string> crowded;
   for (const auto& entry : std::filesystem::directory_iterator(kScenes)) {
     if (!entry.path().string().ends_with(".scene.json")) continue;
@@ -262,17 +262,12 @@ TEST_CASE("the gallery's scenes begin free, but for the table on which two vases
     REQUIRE(scene.ok());
     const auto built = modeling::build(scene->scene, kScenes);
     REQUIRE(built.ok());
-    const bool isTable = entry.path().filename() == "tipsy-table.scene.json";
     for (const Overlap& overlap : modeling::findOverlaps(*built)) {
       INFO(modeling::sentence(overlap));
-      CHECK(isTable);
       crowded.push_back(overlap.part + ", " + overlap.other);
     }
   }
-  // The tall vase's belly is within 4.6 cm of (-15, 9), and the handle passes (-13.3, 7.6) at its height.
-  const std::vector<std::string> vases{"teapot body, small vase", "teapot handle-upper, tall vase",
-                                       "teapot handle-lower, tall vase"};
-  CHECK(crowded == vases);
+  CHECK(crowded.empty());
 }
 
 }  // namespace
