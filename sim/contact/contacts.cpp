@@ -23,6 +23,7 @@ void Contacts::addBroken(BondIndex bond, double restLength) {
 
 void Contacts::ageByStep(const Motion& motion, double travel) {
   age_.age(model_, motion, rows_.longest, travel);
+  lastTravel_ = travel;
 }
 
 void Contacts::rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
@@ -66,7 +67,7 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
 double Contacts::follow(const NodeVectors& positions) {
   if (surfaces_.quiet()) return 0.0;
   const bool starts = std::exchange(surfacesStart_, false);
-  return followSurfaces(model_, outside_, {positions, age_.odometer(), starts}, surfaces_);
+  return followSurfaces(model_, outside_, {positions, age_.odometer(), lastTravel_, starts}, surfaces_);
 }
 
 void Contacts::takeOver(const Contacts& other, std::span<const MovingCollider> before) {
@@ -91,6 +92,7 @@ void Contacts::save(ByteWriter& writer) const {
   surfaces_.save(writer);
   starts_.save(writer);
   writer.put<std::uint8_t>(surfacesStart_ ? 1 : 0);
+  writer.put(lastTravel_);
   writer.put(rebuilds_);
   writer.put(searches_);
 }
@@ -103,6 +105,7 @@ bool Contacts::load(ByteReader& reader, std::span<const MovingCollider> collider
     return false;
   std::uint8_t surfacesStart = 0;
   reader.read(surfacesStart);
+  reader.read(lastTravel_);
   surfacesStart_ = surfacesStart != 0;
   startsAmong_.reset();
   reader.read(rebuilds_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "sim/contact/contact_rows.h"
@@ -105,6 +106,8 @@ class Contacts {
   StartDepths starts_;
   /// Until rows are made for the first time: the colliders among which all was before.
   std::optional<std::vector<MovingCollider>> startsAmong_ = std::vector<MovingCollider>();
+  double lastTravel_ =
+      std::numeric_limits<double>::infinity();  ///< cm: no node went further in the last step
   bool surfacesStart_ = true;  ///< what is inside another surface at the next look begins there
   std::uint64_t rebuilds_ = 0;
   std::uint64_t searches_ = 0;

@@ -8,40 +8,32 @@
 namespace sim {
 namespace {
 
-/// A side of a cell, known by its corners whatever their order.
-struct Side {
-  std::array<NodeIndex, 4> sorted;
-  CellIndex cell;
-  std::uint8_t index;
+/// The corners of a side in order, without those that a wedge names twice.
+struct Corners {
+  std::array<NodeIndex, 4> nodes{};
+  std::size_t count = 0;
 };
 
-std::vector<Side> sidesOf(const Network& network, const std::vector<std::uint8_t>& brokenCells) {
-  std::vector<Side> sides;
-  sides.reserve(kCellSides * network.cellCount());
-  for (CellIndex cell = 0; cell < network.cellCount(); ++cell) {
-    if (!brokenCells.empty() && brokenCells[cell] != 0) continue;
-    for (std::uint8_t side = 0; side < kCellSides; ++side) {
-      Side each{{}, cell, side};
-      for (std::size_t i = 0; i < 4; ++i) each.sorted[i] = network.cells[cell][kSideCorners[side][i]];
-      std::ranges::sort(each.sorted);
-      sides.push_back(each);
-    }
-  }
-  std::ranges::sort(sides, [](const Side& left, const Side& right) {
-    if (left.sorted != right.sorted) return left.sorted < right.sorted;
-    return left.cell < right.cell;
-  });
-  return sides;
-}
-
-/// The corners in order, without those that a wedge names twice.
-std::vector<NodeIndex> cornersOf(const Network& network, const Side& side) {
-  std::vector<NodeIndex> corners;
-  for (const std::uint8_t corner : kSideCorners[side.index]) {
-    const NodeIndex node = network.cells[side.cell][corner];
-    if (std::ranges::find(corners, node) == corners.end()) corners.push_back(node);
+Corners cornersOf(const Network& network, CellIndex cell, std::uint8_t side) {
+  Corners corners;
+  for (const std::uint8_t corner : kSideCorners[side]) {
+    const NodeIndex node = network.cells[cell][corner];
+    const auto end = corners.nodes.begin() + static_cast<std::ptrdiff_t>(corners.count);
+    if (std::find(corners.nodes.begin(), end, node) == end) corners.nodes[corners.count++] = node;
   }
   return corners;
+}
+
+/// Cut from the least node, so that the diagonal does not depend on how the cell names its corners.
+void addTriangles(const Corners& corners, CellIndex cell, std::vector<OutsideTriangle>& triangles) {
+  if (corners.count < 3) return;
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < corners.count; ++i) least = corners.nodes[i] < corners.nodes[least] ? i : least;
+  for (std::size_t i = 1; i + 1 < corners.count; ++i) {
+    triangles.push_back({{corners.nodes[least], corners.nodes[(least + i) % corners.count],
+                          corners.nodes[(least + i + 1) % corners.count]},
+                         cell});
+  }
 }
 
 }  // namespace
@@ -52,6 +44,28 @@ Vec3 normalOf(const OutsideTriangle& triangle, const NodeVectors& positions) {
 }
 
 Outside::Outside(const Network& network) : network_(&network) {
+  struct Sorted {
+    std::array<NodeIndex, 4> nodes;
+    Side side;
+  };
+  std::vector<Sorted> sides;
+  sides.reserve(kCellSides * network.cellCount());
+  for (CellIndex cell = 0; cell < network.cellCount(); ++cell) {
+    for (std::uint8_t side = 0; side < kCellSides; ++side) {
+      Sorted each{{}, {cell, side, false}};
+      for (std::size_t i = 0; i < 4; ++i) each.nodes[i] = network.cells[cell][kSideCorners[side][i]];
+      std::ranges::sort(each.nodes);
+      sides.push_back(each);
+    }
+  }
+  std::ranges::sort(sides, [](const Sorted& left, const Sorted& right) {
+    return left.nodes != right.nodes ? left.nodes < right.nodes : left.side.cell < right.side.cell;
+  });
+  sides_.reserve(sides.size());
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    sides_.push_back(sides[s].side);
+    sides_.back().last = s + 1 == sides.size() || sides[s + 1].nodes != sides[s].nodes;
+  }
   find();
 }
 
@@ -83,30 +97,23 @@ bool Outside::load(ByteReader& reader) {
 }
 
 void Outside::find() {
+  const auto isWhole = [&](CellIndex cell) { return brokenCells_.empty() || brokenCells_[cell] == 0; };
   triangles_.clear();
   loose_.assign(network_->nodeCount(), 1);
-  const std::vector<Side> sides = sidesOf(*network_, brokenCells_);
-  for (const Side& side : sides) {
-    for (const NodeIndex node : side.sorted) loose_[node] = 0;
+  for (CellIndex cell = 0; cell < network_->cellCount(); ++cell) {
+    if (!isWhole(cell)) continue;
+    for (const NodeIndex node : network_->cells[cell]) loose_[node] = 0;
   }
-  for (std::size_t s = 0; s < sides.size();) {
-    std::size_t end = s + 1;
-    while (end < sides.size() && sides[end].sorted == sides[s].sorted) ++end;
-    if (end == s + 1) {
-      const std::vector<NodeIndex> corners = cornersOf(*network_, sides[s]);
-      if (corners.size() >= 3) {
-        // The diagonal begins at the least node, so that it does not depend on how the cell names its
-        // corners.
-        std::size_t least = 0;
-        for (std::size_t i = 1; i < corners.size(); ++i) least = corners[i] < corners[least] ? i : least;
-        for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-          triangles_.push_back({{corners[least], corners[(least + i) % corners.size()],
-                                 corners[(least + i + 1) % corners.size()]},
-                                sides[s].cell});
-        }
-      }
+  std::size_t whole = 0;
+  Side outer;
+  for (const Side& side : sides_) {
+    if (isWhole(side.cell)) {
+      ++whole;
+      outer = side;
     }
-    s = end;
+    if (!side.last) continue;
+    if (whole == 1) addTriangles(cornersOf(*network_, outer.cell, outer.index), outer.cell, triangles_);
+    whole = 0;
   }
   join();
 }
@@ -117,38 +124,53 @@ void Outside::join() {
     CellIndex cell;
     std::uint32_t triangle;
   };
-  std::vector<Half> halves;
-  halves.reserve(3 * triangles_.size());
-  firstTriangle_.assign(network_->nodeCount() + 1, 0);
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    const OutsideTriangle& triangle = triangles_[t];
-    for (std::uint8_t i = 0; i < 3; ++i) {
-      const NodeIndex a = triangle.nodes[i];
-      const NodeIndex b = triangle.nodes[(i + 1U) % 3U];
-      halves.push_back({std::min(a, b), std::max(a, b), triangle.cell, t});
-      ++firstTriangle_[a + 1];
+  const std::size_t nodes = network_->nodeCount();
+  std::vector<Half> halves(3 * triangles_.size());
+  std::vector<std::uint32_t> firstHalf(nodes + 1, 0);
+  firstTriangle_.assign(nodes + 1, 0);
+  const auto forHalves = [&](const auto& each) {
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      const OutsideTriangle& triangle = triangles_[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [low, high] = std::minmax(triangle.nodes[i], triangle.nodes[(i + 1) % 3]);
+        each(Half{low, high, triangle.cell, t}, triangle.nodes[i]);
+      }
     }
-  }
-  for (std::size_t n = 0; n < network_->nodeCount(); ++n) firstTriangle_[n + 1] += firstTriangle_[n];
-  trianglesOfNode_.resize(halves.size());
-  std::vector<std::uint32_t> next(firstTriangle_.begin(), firstTriangle_.end() - 1);
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    for (const NodeIndex node : triangles_[t].nodes) trianglesOfNode_[next[node]++] = t;
-  }
-  std::ranges::sort(halves, [](const Half& left, const Half& right) {
-    return std::tie(left.low, left.high, left.cell, left.triangle) <
-           std::tie(right.low, right.high, right.cell, right.triangle);
+  };
+  forHalves([&](const Half& half, NodeIndex node) {
+    ++firstHalf[half.low + 1];
+    ++firstTriangle_[node + 1];
   });
+  for (std::size_t n = 0; n < nodes; ++n) {
+    firstHalf[n + 1] += firstHalf[n];
+    firstTriangle_[n + 1] += firstTriangle_[n];
+  }
+  trianglesOfNode_.resize(halves.size());
+  std::vector<std::uint32_t> nextHalf(firstHalf.begin(), firstHalf.end() - 1);
+  std::vector<std::uint32_t> next(firstTriangle_.begin(), firstTriangle_.end() - 1);
+  forHalves([&](const Half& half, NodeIndex node) {
+    halves[nextHalf[half.low]++] = half;
+    trianglesOfNode_[next[node]++] = half.triangle;
+  });
+  // By their lower node already; a node has few.
+  for (std::size_t n = 0; n < nodes; ++n) {
+    std::sort(halves.begin() + firstHalf[n], halves.begin() + firstHalf[n + 1],
+              [](const Half& left, const Half& right) {
+                return std::tie(left.high, left.cell, left.triangle) <
+                       std::tie(right.high, right.cell, right.triangle);
+              });
+  }
   edges_.clear();
   const auto pair = [&](const Half& one, const Half& two) {
     edges_.push_back({{one.low, one.high}, {one.triangle, two.triangle}});
   };
+  std::vector<Half> left;
   for (std::size_t h = 0; h < halves.size();) {
     std::size_t end = h + 1;
     while (end < halves.size() && halves[end].low == halves[h].low && halves[end].high == halves[h].high)
       ++end;
     // Where cells meet in an edge only, each keeps to its own two sides.
-    std::vector<Half> left;
+    left.clear();
     for (std::size_t i = h; i < end; ++i) {
       if (i + 1 < end && end - h > 2 && halves[i].cell == halves[i + 1].cell) {
         pair(halves[i], halves[i + 1]);
@@ -164,7 +186,7 @@ void Outside::join() {
 
 std::size_t Outside::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return bytes(brokenCells_) + bytes(triangles_) + bytes(edges_) + bytes(firstTriangle_) +
+  return bytes(sides_) + bytes(brokenCells_) + bytes(triangles_) + bytes(edges_) + bytes(firstTriangle_) +
          bytes(trianglesOfNode_) + bytes(loose_);
 }
 

@@ -53,10 +53,17 @@ class Outside {
   std::size_t memoryBytes() const;
 
  private:
+  /// A side of a cell.
+  struct Side {
+    CellIndex cell = 0;
+    std::uint8_t index = 0;
+    bool last = false;  ///< of those that have the same corners
+  };
   void find();
   void join();
 
   const Network* network_;
+  std::vector<Side> sides_;  ///< of all cells, broken ones too, by their corners
   std::vector<OutsideTriangle> triangles_;
   std::vector<OutsideEdge> edges_;
   std::vector<std::uint32_t> firstTriangle_, trianglesOfNode_;

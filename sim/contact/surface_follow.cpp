@@ -33,31 +33,43 @@ constexpr double kCone = 1e-6;
 /// Of the largest natural length: rows in which all is further apart are not looked at until it may be
 /// nearer.
 constexpr double kLookShare = 0.15;
-/// The same: what is further apart is no contact yet. Beyond what anything moves between two looks.
+/// The same: what is further apart is no contact yet, however far things went in the last step.
 constexpr double kContactShare = 0.6;
+/// Of the way in the last step: what two things may come nearer by in this one, and more.
+constexpr double kApproach = 4.0;
 constexpr std::size_t kRowsPerTask = 32;
 
 /// One row being brought to the present.
 class RowFollow {
  public:
-  RowFollow(const ContactModel& model, const Outside& outside, const NodeVectors& positions,
-            std::span<const SurfaceContact> before, bool starts)
-      : model_(model), outside_(outside), positions_(positions), before_(before), starts_(starts) {}
+  RowFollow(const ContactModel& model, const Outside& outside, const SurfaceMoment& moment,
+            std::span<const SurfaceContact> before)
+      : model_(model),
+        outside_(outside),
+        positions_(moment.positions),
+        before_(before),
+        odometer_(moment.odometer),
+        travel_(moment.travel),
+        starts_(moment.starts),
+        asBefore_(before.size(), 0) {}
 
+  /// `farUntil`: as in SurfaceRows, of the row's triangles.
   void node(std::uint32_t rowIndex, NodeIndex node, std::span<const std::uint32_t> near,
-            std::vector<SurfaceContact>& found);
+            std::span<double> farUntil, std::vector<SurfaceContact>& found);
   void edge(std::uint32_t rowIndex, std::uint32_t which, std::span<const std::uint32_t> near,
             std::vector<SurfaceContact>& found);
   /// cm: nothing in the row is nearer to touching.
   double clearance() const { return clearance_; }
-  /// erg: so much of what contacts stored and let go of by sliding never was.
-  double overcounted() const { return overcounted_; }
+  /// erg: how much less contacts store now than they did before they were brought to the present, but for
+  /// what was let go of by sliding and never was.
+  double lost() const;
 
  private:
   struct Candidate {
     std::uint32_t triangle;
     ClosestOnTriangle closest;
-    double distance;
+    double distance;  ///< cm
+    double natural;   ///< cm: as of the contact it may be
   };
   bool isLocalLeast(const Candidate& candidate, std::span<const Candidate> all) const;
   bool isInside(NodeIndex node, const Candidate& candidate) const;
@@ -70,9 +82,12 @@ class RowFollow {
   const Outside& outside_;
   const NodeVectors& positions_;
   std::span<const SurfaceContact> before_;
+  double odometer_;
+  double travel_;
   bool starts_;
   double clearance_ = std::numeric_limits<double>::infinity();
-  double overcounted_ = 0.0;
+  double lost_ = 0.0;
+  std::vector<std::uint8_t> asBefore_;  ///< by contact of before: it stores what it did
 };
 
 bool hasNode(const OutsideTriangle& triangle, NodeIndex node) {
@@ -166,10 +181,11 @@ void RowFollow::settle(SurfaceContact& contact, const SurfaceContact* old,
                        std::vector<SurfaceContact>& found) {
   const SurfaceGap gap = gapOf(contact, positions_);
   contact.rho = std::min(contact.natural, gap.gap);
+  const bool same = old != nullptr && old->nodes == contact.nodes && old->corners == contact.corners &&
+                    old->sign == contact.sign;
+  bool slides = false;
   // It goes on as deep as it was: on its own place by its rho, on another by its depth.
   if (old != nullptr) {
-    const bool same =
-        old->nodes == contact.nodes && old->corners == contact.corners && old->sign == contact.sign;
     const double depth = std::max(0.0, old->rho - gapOf(*old, positions_).gap);
     contact.rho = std::min(contact.natural, same ? old->rho : gap.gap + depth);
   }
@@ -180,8 +196,8 @@ void RowFollow::settle(SurfaceContact& contact, const SurfaceContact* old,
   if (pressed > 0.0 && friction > 0.0) {
     Vec3 stretch = Vec3::Zero();
     if (old != nullptr && old->anchored != 0) {
-      const bool same = old->nodes == contact.nodes;
-      if (same) {
+      const bool sameNodes = old->nodes == contact.nodes;
+      if (sameNodes) {
         contact.anchor = old->anchor;
         stretch = tangentialStretch(contact, gap, positions_);
       } else {
@@ -192,34 +208,62 @@ void RowFollow::settle(SurfaceContact& contact, const SurfaceContact* old,
       const double limit = friction * pressed / contact.stiffness;
       const double length = stretch.norm();
       if (length > limit) {
+        slides = true;
         // The force on the way was that of the limit, not the mean of both.
-        overcounted_ += 0.5 * contact.stiffness * (length - limit) * (length - limit);
+        lost_ -= 0.5 * contact.stiffness * (length - limit) * (length - limit);
         stretch *= limit / length;
         anchorAt(contact, gap, stretch, positions_);
-      } else if (!same) {
+      } else if (!sameNodes) {
         anchorAt(contact, gap, stretch, positions_);
       }
     } else {
       anchorAt(contact, gap, stretch, positions_);
     }
   }
+  // A new one stores nothing yet, and one that goes on as it was what it stored.
+  if (same && !slides) {
+    asBefore_[static_cast<std::size_t>(old - before_.data())] = 1;
+  } else if (old != nullptr) {
+    lost_ -= contactEnergy(contact, positions_);
+  }
   found.push_back(contact);
 }
 
+double RowFollow::lost() const {
+  double lost = lost_;
+  for (std::size_t b = 0; b < before_.size(); ++b) {
+    if (asBefore_[b] == 0) lost += contactEnergy(before_[b], positions_);
+  }
+  return lost;
+}
+
 void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std::uint32_t> near,
-                     std::vector<SurfaceContact>& found) {
+                     std::span<double> farUntil, std::vector<SurfaceContact>& found) {
   const Vec3 point = positions_.get(node);
+  const double base = looseReach(model_, outside_, node);
+  const double far = std::min(kContactShare * model_.largestNatural(),
+                              kLookShare * model_.largestNatural() + kApproach * travel_);
   std::vector<Candidate> all;
-  all.reserve(near.size());
-  for (const std::uint32_t t : near) {
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    // What shares a place with a triangle that is no contact is none either, or is nearer.
+    if (odometer_ < farUntil[n]) {
+      clearance_ = std::min(clearance_, far);
+      continue;
+    }
+    const std::uint32_t t = near[n];
     const OutsideTriangle& triangle = outside_.triangles()[t];
     const Vec3 a = positions_.get(triangle.nodes[0]);
     const Vec3 b = positions_.get(triangle.nodes[1]);
     const Vec3 c = positions_.get(triangle.nodes[2]);
-    Candidate candidate{t, closestOnTriangle(point, a, b, c), 0.0};
+    Candidate candidate{t, closestOnTriangle(point, a, b, c), 0.0, 0.0};
     const Vec3& w = candidate.closest.weights;
     candidate.distance = (w[0] * a + w[1] * b + w[2] * c - point).norm();
-    all.push_back(candidate);
+    candidate.natural = base + reachOf(model_, node, triangle.nodes[0]);
+    const double clear = candidate.distance - candidate.natural;
+    clearance_ = std::min(clearance_, clear);
+    // Both may come.
+    farUntil[n] = clear > far ? odometer_ + 0.5 * (clear - far) : 0.0;
+    if (clear <= far) all.push_back(candidate);
   }
   double nearest = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : all) nearest = std::min(nearest, candidate.distance);
@@ -227,9 +271,6 @@ void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std
   std::vector<std::uint8_t> beginsInside;
   for (const Candidate& candidate : all) {
     const OutsideTriangle& triangle = outside_.triangles()[candidate.triangle];
-    const double natural = looseReach(model_, outside_, node) + reachOf(model_, node, triangle.nodes[0]);
-    clearance_ = std::min(clearance_, candidate.distance - natural);
-    if (candidate.distance - natural > kContactShare * model_.largestNatural()) continue;
     if (!isLocalLeast(candidate, all)) continue;
     const bool inside = isInside(node, candidate);
     if (inside && candidate.distance > kDeepest * model_.largestNatural()) continue;
@@ -239,7 +280,7 @@ void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std
     contact.corners = static_cast<std::uint8_t>(candidate.closest.corners);
     contact.sign = inside && contact.corners != 7U ? -1.0 : 1.0;
     contact.inside = inside ? 1 : 0;
-    contact.natural = natural;
+    contact.natural = candidate.natural;
     const PairConstants constants = model_.constantsOf(node, {0.0, triangle.nodes[0], kNone});
     contact.stiffness = constants.stiffness;
     contact.damping = constants.damping;
@@ -333,8 +374,6 @@ void RowFollow::edge(std::uint32_t rowIndex, std::uint32_t which, std::span<cons
 
 double followSurfaces(const ContactModel& model, const Outside& outside, const SurfaceMoment& moment,
                       SurfaceRows& rows) {
-  const NodeVectors& positions = moment.positions;
-  const double odometer = moment.odometer;
   std::vector<double> lost(rows.rows.size(), 0.0);
   const auto old = [&](std::size_t r) {
     return std::span<const SurfaceContact>(rows.contacts)
@@ -342,23 +381,20 @@ double followSurfaces(const ContactModel& model, const Outside& outside, const S
   };
   std::vector<SurfaceContact> all = collectInOrder<SurfaceContact>(
       rows.rows.size(), kRowsPerTask, [&](std::size_t r, std::vector<SurfaceContact>& found) {
-        if (odometer < rows.clearUntil[r]) return;
+        if (moment.odometer < rows.clearUntil[r]) return;
         const SurfaceRow& row = rows.rows[r];
-        const std::size_t begin = found.size();
-        RowFollow follow(model, outside, positions, old(r), moment.starts);
+        RowFollow follow(model, outside, moment, old(r));
         const std::span near =
             std::span<const std::uint32_t>(rows.near).subspan(row.first, row.last - row.first);
         if (row.isEdge) {
           follow.edge(static_cast<std::uint32_t>(r), row.which, near, found);
         } else {
-          follow.node(static_cast<std::uint32_t>(r), row.which, near, found);
+          follow.node(static_cast<std::uint32_t>(r), row.which, near,
+                      std::span(rows.farUntil).subspan(row.first, near.size()), found);
         }
         const double room = 0.5 * (follow.clearance() - kLookShare * model.largestNatural());
-        rows.clearUntil[r] = room > 0.0 ? odometer + room : 0.0;
-        // What goes and comes may store another energy.
-        lost[r] -= follow.overcounted();
-        for (const SurfaceContact& each : old(r)) lost[r] += contactEnergy(each, positions);
-        for (std::size_t i = begin; i < found.size(); ++i) lost[r] -= contactEnergy(found[i], positions);
+        rows.clearUntil[r] = room > 0.0 ? moment.odometer + room : 0.0;
+        lost[r] = follow.lost();
       });
   rows.contacts = std::move(all);
   rows.index();

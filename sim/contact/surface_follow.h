@@ -9,6 +9,7 @@ namespace sim {
 struct SurfaceMoment {
   const NodeVectors& positions;
   double odometer = 0.0;  ///< cm, as in RowAge
+  double travel = 0.0;    ///< cm: no node went further in the last step
   bool starts = false;    ///< nodes that are inside another surface begin there, as deep as they are
 };
 

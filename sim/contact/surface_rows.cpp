@@ -47,6 +47,7 @@ void SurfaceRows::save(ByteWriter& writer) const {
   }
   writer.putVector(near);
   writer.putVector(clearUntil);
+  writer.putVector(farUntil);
   writer.put<std::uint64_t>(contacts.size());
   for (const SurfaceContact& contact : contacts) sim::save(contact, writer);
 }
@@ -68,11 +69,12 @@ bool SurfaceRows::load(const Outside& outside, ByteReader& reader) {
   }
   reader.readVector(near);
   reader.readVector(clearUntil);
+  reader.readVector(farUntil);
   reader.read(count);
   if (count > reader.remaining()) return reader.fail();
   contacts.resize(static_cast<std::size_t>(count));
   for (SurfaceContact& contact : contacts) contact = loadContact(reader);
-  if (!reader.ok() || clearUntil.size() != rows.size()) return false;
+  if (!reader.ok() || clearUntil.size() != rows.size() || farUntil.size() != near.size()) return false;
   for (const SurfaceRow& row : rows) {
     const std::size_t features = row.isEdge ? outside.edges().size() : outside.triangles().size();
     if (row.which >= (row.isEdge ? features : nodes) || row.first > row.last || row.last > near.size())
@@ -94,7 +96,8 @@ bool SurfaceRows::load(const Outside& outside, ByteReader& reader) {
 
 std::size_t SurfaceRows::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return bytes(rows) + bytes(near) + bytes(clearUntil) + bytes(contacts) + bytes(firstContact);
+  return bytes(rows) + bytes(near) + bytes(clearUntil) + bytes(farUntil) + bytes(contacts) +
+         bytes(firstContact);
 }
 
 void SurfaceRows::index() {

@@ -20,6 +20,7 @@ struct SurfaceRows {
   std::vector<SurfaceRow> rows;
   std::vector<std::uint32_t> near;
   std::vector<double> clearUntil;           ///< by row: cm of the odometer; till then nothing in it is near
+  std::vector<double> farUntil;             ///< by `near` of nodes' rows: the same, of that triangle alone
   std::vector<SurfaceContact> contacts;     ///< by row
   std::vector<std::uint32_t> firstContact;  ///< by row, and one more
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "sim/contact/box_grid.h"
 #include "sim/contact/closest_point.h"
 
 namespace sim {
@@ -15,72 +16,6 @@ constexpr double kThickness = 0.02;
 constexpr double kLooseSize = 0.4;
 /// Edges that are bent by less than this (cosine) are met by faces well enough.
 constexpr double kSharp = 0.94;
-
-/// A grid of boxes of fragments: each stands in every cube it overlaps.
-class BoxGrid {
- public:
-  explicit BoxGrid(double edge) : edge_(edge) {}
-  void add(std::uint32_t index, FragmentId fragment, const Eigen::AlignedBox3d& box) {
-    forCubes(box, [&](std::uint64_t cube) {
-      places_.push_back({cube, index, fragment, static_cast<std::uint32_t>(boxes_.size())});
-    });
-    boxes_.push_back(box);
-  }
-  /// Once all are in.
-  void sort() {
-    std::ranges::sort(places_, [](const Place& left, const Place& right) {
-      return left.cube != right.cube ? left.cube < right.cube : left.index < right.index;
-    });
-    for (std::uint32_t p = 0; p < places_.size(); ++p) {
-      if (p == 0 || places_[p].cube != places_[p - 1].cube) first_.emplace(places_[p].cube, p);
-    }
-  }
-  /// The boxes of other fragments that overlap this one, ascending.
-  void find(FragmentId fragment, const Eigen::AlignedBox3d& box, std::vector<std::uint32_t>& found) const {
-    found.clear();
-    std::size_t cubes = 0;
-    forCubes(box, [&](std::uint64_t cube) {
-      const auto first = first_.find(cube);
-      if (first == first_.end()) return;
-      ++cubes;
-      for (std::size_t p = first->second; p < places_.size() && places_[p].cube == cube; ++p) {
-        if (places_[p].fragment != fragment && boxes_[places_[p].box].intersects(box))
-          found.push_back(places_[p].index);
-      }
-    });
-    if (cubes < 2) return;
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-  }
-
- private:
-  struct Place {
-    std::uint64_t cube;
-    std::uint32_t index;
-    FragmentId fragment;
-    std::uint32_t box;
-  };
-  template <class Each>
-  void forCubes(const Eigen::AlignedBox3d& box, const Each& each) const {
-    const auto cubeAt = [this](double coordinate) {
-      return static_cast<std::int64_t>(std::floor(coordinate / edge_));
-    };
-    constexpr std::uint64_t kMask = (1ULL << 21U) - 1U;
-    for (std::int64_t x = cubeAt(box.min().x()); x <= cubeAt(box.max().x()); ++x) {
-      for (std::int64_t y = cubeAt(box.min().y()); y <= cubeAt(box.max().y()); ++y) {
-        for (std::int64_t z = cubeAt(box.min().z()); z <= cubeAt(box.max().z()); ++z) {
-          each((static_cast<std::uint64_t>(x) & kMask) | (static_cast<std::uint64_t>(y) & kMask) << 21U |
-               (static_cast<std::uint64_t>(z) & kMask) << 42U);
-        }
-      }
-    }
-  }
-
-  double edge_;
-  std::vector<Place> places_;
-  std::vector<Eigen::AlignedBox3d> boxes_;
-  std::unordered_map<std::uint64_t, std::uint32_t> first_;  ///< of a cube's places
-};
 
 Eigen::AlignedBox3d boxOf(std::span<const NodeIndex> nodes, const NodeVectors& positions) {
   Eigen::AlignedBox3d box;
@@ -172,11 +107,12 @@ void findSurfaceRows(const ContactModel& model, const SurfaceScene& scene, Surfa
   faces.sort();
   sharp.sort();
   std::vector<std::uint32_t> nearby;
-  const auto widened = [&](Eigen::AlignedBox3d box) {
-    box.min().array() -= widest;
-    box.max().array() += widest;
+  const auto widened = [](Eigen::AlignedBox3d box, double by) {
+    box.min().array() -= by;
+    box.max().array() += by;
     return box;
   };
+  const double thickest = kThickness * model.largestNatural();
   for (NodeIndex node = 0; node < model.network().nodeCount(); ++node) {
     if (!outside.isLoose(node) && !outside.isOutside(node)) continue;
     const FragmentBoxes::Box& box = meetings[scene.components.of(node)];
@@ -186,7 +122,7 @@ void findSurfaceRows(const ContactModel& model, const SurfaceScene& scene, Surfa
     row.which = node;
     row.first = static_cast<std::uint32_t>(found.near.size());
     const double base = looseReach(model, outside, node) + skin;
-    faces.find(scene.components.of(node), widened(Eigen::AlignedBox3d(point)), nearby);
+    faces.find(scene.components.of(node), widened(Eigen::AlignedBox3d(point), base + thickest), 0, nearby);
     for (const std::uint32_t t : nearby) {
       const OutsideTriangle& triangle = outside.triangles()[t];
       if (!mayMeet(model, scene, node, triangle.nodes[0])) continue;
@@ -202,9 +138,9 @@ void findSurfaceRows(const ContactModel& model, const SurfaceScene& scene, Surfa
     row.isEdge = true;
     row.first = static_cast<std::uint32_t>(found.near.size());
     const OutsideEdge& edge = outside.edges()[e];
-    sharp.find(scene.components.of(edge.nodes[0]), widened(boxOf(edge.nodes, scene.positions)), nearby);
+    sharp.find(scene.components.of(edge.nodes[0]),
+               widened(boxOf(edge.nodes, scene.positions), skin + thickest), e + 1, nearby);
     for (const std::uint32_t other : nearby) {
-      if (other <= e) continue;
       const OutsideEdge& two = outside.edges()[other];
       if (!mayMeet(model, scene, edge.nodes[0], two.nodes[0])) continue;
       const double reach = skin + reachOf(model, edge.nodes[0], two.nodes[0]);
@@ -214,6 +150,7 @@ void findSurfaceRows(const ContactModel& model, const SurfaceScene& scene, Surfa
     if (row.first != row.last) found.rows.push_back(row);
   }
   found.clearUntil.assign(found.rows.size(), 0.0);
+  found.farUntil.assign(found.near.size(), 0.0);
   // Contacts find their rows again by node or by edge; what they name may have got another number.
   std::unordered_map<std::uint64_t, std::uint32_t> rowOf;
   const auto edgeKey = [](NodeIndex a, NodeIndex b) {
