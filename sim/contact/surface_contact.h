@@ -24,6 +24,7 @@ struct SurfaceContact {
   std::array<double, 4> anchor{};  ///< weights of the two points that friction holds together
 
   static constexpr std::uint8_t kCrossing = 8;
+  bool isInside() const { return inside != 0; }
   bool crossing() const { return corners == kCrossing; }
 };
 

@@ -241,12 +241,15 @@ void RowFollow::node(std::uint32_t rowIndex, NodeIndex node, std::span<const std
                      std::span<double> farUntil, std::vector<SurfaceContact>& found) {
   const Vec3 point = positions_.get(node);
   const double base = looseReach(model_, outside_, node);
-  const double far = std::min(kContactShare * model_.largestNatural(),
-                              kLookShare * model_.largestNatural() + kApproach * travel_);
+  // What is deep inside looks for its way out among all that is near.
+  const bool deep = starts_ || std::ranges::any_of(before_, &SurfaceContact::isInside);
+  const double furthest = kContactShare * model_.largestNatural();
+  const double far =
+      deep ? furthest : std::min(furthest, kLookShare * model_.largestNatural() + kApproach * travel_);
   std::vector<Candidate> all;
   for (std::size_t n = 0; n < near.size(); ++n) {
     // What shares a place with a triangle that is no contact is none either, or is nearer.
-    if (odometer_ < farUntil[n]) {
+    if (!deep && odometer_ < farUntil[n]) {
       clearance_ = std::min(clearance_, far);
       continue;
     }

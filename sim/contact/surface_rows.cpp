@@ -11,6 +11,7 @@ void save(const SurfaceContact& contact, ByteWriter& writer) {
   writer.put(contact.row);
   writer.put(contact.corners);
   writer.put(contact.anchored);
+  writer.put(contact.inside);
   for (const double number : {contact.sign, contact.natural, contact.rho, contact.stiffness, contact.damping})
     writer.put(number);
   for (const double weight : contact.anchor) writer.put(weight);
@@ -22,6 +23,7 @@ SurfaceContact loadContact(ByteReader& reader) {
   reader.read(contact.row);
   reader.read(contact.corners);
   reader.read(contact.anchored);
+  reader.read(contact.inside);
   for (double* number : {&contact.sign, &contact.natural, &contact.rho, &contact.stiffness, &contact.damping})
     reader.read(*number);
   for (double& weight : contact.anchor) reader.read(weight);
