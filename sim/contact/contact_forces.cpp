@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/parallel.h"
+#include "sim/contact/collider_holds.h"
 #include "sim/contact/surface_forces.h"
 
 namespace sim {
@@ -86,8 +87,11 @@ class ForcePass {
  private:
   Push pairPush(NodeIndex node, const ContactEntry& entry, const PairConstants& unscaled,
                 std::span<const RowLook> looks) const;
-  Push colliderPush(NodeIndex node, std::uint32_t collider, const Intrusion& inside,
-                    ColliderWork& work) const;
+  /// `place`: in ContactRows::nearColliders.
+  Push colliderPush(NodeIndex node, std::uint32_t place, ColliderWork& work) const;
+  /// Holds a node back, at most by `limit` (dyn), and drags on what slides, which is lost, within the same.
+  Push holdBack(const ColliderHold& hold, const Collider& collider, const Vec3& here, const Vec3& normal,
+                const Vec3& slip, double stiffness, double damping, double limit) const;
 
   const Contacts& contacts_;
   const ContactModel& model_;
@@ -179,8 +183,21 @@ Push ForcePass::pairPush(NodeIndex node, const ContactEntry& entry, const PairCo
   return push;
 }
 
-Push ForcePass::colliderPush(NodeIndex node, std::uint32_t which, const Intrusion& inside,
-                             ColliderWork& work) const {
+Push ForcePass::holdBack(const ColliderHold& hold, const Collider& collider, const Vec3& here,
+                         const Vec3& normal, const Vec3& slip, double stiffness, double damping,
+                         double limit) const {
+  Vec3 held = Vec3::Zero();
+  if (hold.held != 0) held = -stiffness * stretchOf(hold, collider, here, normal);
+  if (held.norm() > limit) held *= limit / held.norm();
+  Vec3 drag = -damping * slip;
+  const double room = std::max(0.0, limit - held.norm());
+  if (drag.norm() > room) drag *= room / drag.norm();
+  return {held + drag, drag};
+}
+
+Push ForcePass::colliderPush(NodeIndex node, std::uint32_t place, ColliderWork& work) const {
+  const std::uint32_t which = rows_.nearColliders[place];
+  const Intrusion& inside = forces_.inside[place];
   const MovingCollider& collider = moment_.colliders[which];
   const Vec3 here = moment_.motion.position.get(node);
   const double mass = model_.network().masses[node];
@@ -190,13 +207,22 @@ Push ForcePass::colliderPush(NodeIndex node, std::uint32_t which, const Intrusio
   const Vec3 carried = collider.velocityAt(here) + surface.speed * inside.normal;
   const Vec3 relative = moment_.motion.velocity.get(node) - carried;
   const double leaving = relative.dot(inside.normal);
+  const Vec3 slip = relative - leaving * inside.normal;
   const double stiffness = model_.colliderStiffness(node, collider.shape, moment_.materials);
   const double elastic = stiffness * (inside.depth - surface.depth);
   const double damping = 2.0 * collider.shape.dampingRatio * std::sqrt(stiffness * mass);
   const double normal = std::max(0.0, elastic - damping * leaving);
-  const Vec3 friction = frictionForce(relative - leaving * inside.normal, collider.shape.friction * elastic,
-                                      massShare(contacts_, node, forces_.looks), moment_.kick);
-  const Push push{normal * inside.normal + friction, (normal - elastic) * inside.normal + friction};
+  const double limit = collider.shape.friction * elastic;
+  Push friction;
+  if (holdsAtColliders(model_)) {
+    friction = holdBack(rows_.holds.byCollider[place], collider.shape, here, inside.normal, slip, stiffness,
+                        damping, limit);
+  } else {
+    friction.total = friction.lossy =
+        frictionForce(slip, limit, massShare(contacts_, node, forces_.looks), moment_.kick);
+  }
+  const Push push{normal * inside.normal + friction.total,
+                  (normal - elastic) * inside.normal + friction.lossy};
   work.outside += push.total.dot(carried) * moment_.kick;
   work.dissipated += push.lossy.dot(carried) * moment_.kick;
   return push;
@@ -215,8 +241,7 @@ ColliderWork ForcePass::pushRow(std::uint32_t index) {
     const std::uint32_t e = forces_.touching[row.firstEntry + t];
     add(pairPush(row.node, rows_.entries[e], rows_.constants[e], forces_.looks));
   }
-  for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c)
-    add(colliderPush(row.node, rows_.nearColliders[c], forces_.inside[c], work));
+  for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) add(colliderPush(row.node, c, work));
   forces_.total.set(row.node, sum.total);
   forces_.lossy.set(row.node, sum.lossy);
   return work;
@@ -308,9 +333,15 @@ double contactEnergy(const Contacts& contacts, const ContactMoment& moment) {
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
       const std::uint32_t which = rows.nearColliders[c];
       const Collider& collider = moment.colliders[which].shape;
-      const double depth =
-          intrusion(collider, here).depth - contacts.starts().of(row.node, which, moment.time).depth;
-      if (depth > 0.0) sum += spring(model.colliderStiffness(row.node, collider, moment.materials), depth);
+      const Intrusion inside = intrusion(collider, here);
+      const double depth = inside.depth - contacts.starts().of(row.node, which, moment.time).depth;
+      if (depth <= 0.0) continue;
+      const double stiffness = model.colliderStiffness(row.node, collider, moment.materials);
+      sum += spring(stiffness, depth);
+      const ColliderHold& hold = rows.holds.byCollider[c];
+      if (hold.held == 0) continue;
+      sum += energyOf(hold, stretchOf(hold, collider, here, inside.normal).norm(), collider.friction * depth,
+                      stiffness);
     }
   }
   for (const BrokenPair& pair : rows.fresh) {

@@ -104,9 +104,11 @@ std::vector<std::uint32_t> ContactRows::fillEntries(std::size_t nodeCount,
 void ContactRows::fill(const ContactModel& model, std::span<const ContactCandidate> pairs,
                        std::span<const NodeAtCollider> near) {
   const std::size_t nodeCount = model.network().nodeCount();
+  const std::vector<HeldNode> held = heldNodes();
   rows.clear();
   entries.clear();
   nearColliders.clear();
+  holds = {};
   rowOfNode.assign(pairs.empty() && near.empty() ? 0 : nodeCount, kNone);
   if (rowOfNode.empty()) return deduce(model);
   const std::vector<std::uint32_t> firstEntry = fillEntries(nodeCount, pairs);
@@ -127,7 +129,32 @@ void ContactRows::fill(const ContactModel& model, std::span<const ContactCandida
     rowOfNode[node] = static_cast<std::uint32_t>(rows.size());
     rows.push_back(row);
   }
+  holdAgain(held);
   deduce(model);
+}
+
+std::vector<ContactRows::HeldNode> ContactRows::heldNodes() const {
+  std::vector<HeldNode> held;
+  for (const std::uint32_t r : holds.rows) {
+    for (std::uint32_t c = rows[r].firstCollider; c < rows[r].lastCollider; ++c) {
+      if (holds.byCollider[c].held != 0)
+        held.push_back({rows[r].node, nearColliders[c], holds.byCollider[c]});
+    }
+  }
+  return held;
+}
+
+void ContactRows::holdAgain(std::span<const HeldNode> held) {
+  holds.byCollider.assign(nearColliders.size(), {});
+  for (const HeldNode& old : held) {
+    const std::uint32_t r = rowOfNode[old.node];
+    if (r == kNone) continue;
+    for (std::uint32_t c = rows[r].firstCollider; c < rows[r].lastCollider; ++c) {
+      if (nearColliders[c] != old.collider) continue;
+      holds.byCollider[c] = old.hold;
+      if (holds.rows.empty() || holds.rows.back() != r) holds.rows.push_back(r);
+    }
+  }
 }
 
 void ContactRows::deduce(const ContactModel& model) {
@@ -173,6 +200,7 @@ void ContactRows::takeOver(const ContactModel& model, const ContactRows& other) 
   broken = other.broken;
   fresh = other.fresh;
   nearColliders.clear();
+  holds = {};
   for (ContactRow& row : rows) {
     row.firstCollider = row.lastCollider = 0;
     for (std::uint32_t e = row.firstEntry; e < row.lastEntry; ++e) {
@@ -188,6 +216,13 @@ void ContactRows::save(ByteWriter& writer) const {
   writer.putVector(rows);
   writer.putVector(entries);
   writer.putVector(nearColliders);
+  for (const ColliderHold& hold : holds.byCollider) {
+    writer.put(hold.anchor);
+    writer.put(hold.stretch);
+    writer.put(hold.nearest);
+    writer.put(hold.held);
+  }
+  writer.putVector(holds.rows);
   savePairs(writer, broken);
   savePairs(writer, fresh);
 }
@@ -203,7 +238,9 @@ bool ContactRows::isProper(const Network& network, std::size_t colliderCount) co
            (entry.brokenBond == kNone || entry.brokenBond < network.bondCount());
   };
   return std::ranges::all_of(rows, properRow) && std::ranges::all_of(entries, properEntry) &&
-         std::ranges::all_of(nearColliders, [&](std::uint32_t c) { return c < colliderCount; });
+         std::ranges::all_of(nearColliders, [&](std::uint32_t c) { return c < colliderCount; }) &&
+         std::ranges::is_sorted(holds.rows) &&
+         std::ranges::all_of(holds.rows, [&](std::uint32_t r) { return r < rows.size(); });
 }
 
 bool ContactRows::load(const ContactModel& model, ByteReader& reader, std::size_t colliderCount) {
@@ -211,6 +248,14 @@ bool ContactRows::load(const ContactModel& model, ByteReader& reader, std::size_
   reader.readVector(rows);
   reader.readVector(entries);
   reader.readVector(nearColliders);
+  holds.byCollider.assign(reader.ok() ? nearColliders.size() : 0, {});
+  for (ColliderHold& hold : holds.byCollider) {
+    reader.read(hold.anchor);
+    reader.read(hold.stretch);
+    reader.read(hold.nearest);
+    reader.read(hold.held);
+  }
+  reader.readVector(holds.rows);
   loadPairs(network, reader, broken);
   loadPairs(network, reader, fresh);
   if (!reader.ok() || !isProper(network, colliderCount)) return false;
@@ -224,7 +269,8 @@ bool ContactRows::load(const ContactModel& model, ByteReader& reader, std::size_
 std::size_t ContactRows::memoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return bytes(rows) + bytes(entries) + bytes(constants) + bytes(mostOfRow) + bytes(nearColliders) +
-         bytes(rowOfNode) + bytes(growing) + bytes(broken) + bytes(fresh);
+         bytes(holds.byCollider) + bytes(holds.rows) + bytes(rowOfNode) + bytes(growing) + bytes(broken) +
+         bytes(fresh);
 }
 
 }  // namespace sim

@@ -53,12 +53,26 @@ struct Stiffest {
   }
 };
 
+/// Where friction holds a node at a collider.
+struct ColliderHold {
+  Vec3 anchor = Vec3::Zero();     ///< in the collider's coordinates, cm
+  double stretch = 0.0;           ///< cm, along the surface, when it was last looked at
+  std::uint32_t nearest = kNone;  ///< as in Intrusion
+  std::uint32_t held = 0;         ///< 1: it is
+};
+
+struct ColliderHolds {
+  std::vector<ColliderHold> byCollider;  ///< as ContactRows::nearColliders
+  std::vector<std::uint32_t> rows;       ///< those with a node that is held, ascending
+};
+
 /// All that may push nodes until something has moved by a skin's width, one row a touched node. Pairs stand
 /// in it both ways round: each node gathers its own force in a fixed order.
 struct ContactRows {
   std::vector<ContactRow> rows;  ///< by node
   std::vector<ContactEntry> entries;
   std::vector<std::uint32_t> nearColliders;  ///< indices of colliders
+  ColliderHolds holds;                       ///< of friction, at those
   std::vector<BrokenPair> broken;            ///< by bond: in rows where the two are near
   std::vector<BrokenPair> fresh;             ///< broken since the rows were filled, in order of breaking
 
@@ -100,6 +114,13 @@ struct ContactRows {
   std::size_t memoryBytes() const;
 
  private:
+  struct HeldNode {
+    NodeIndex node;
+    std::uint32_t collider;
+    ColliderHold hold;
+  };
+  std::vector<HeldNode> heldNodes() const;
+  void holdAgain(std::span<const HeldNode> held);
   std::vector<std::uint32_t> fillEntries(std::size_t nodeCount, std::span<const ContactCandidate> pairs);
   bool isProper(const Network& network, std::size_t colliderCount) const;
   void deduce(const ContactModel& model);

@@ -28,6 +28,7 @@ class Contacts {
 
   const ContactModel& model() const { return model_; }
   const ContactRows& rows() const { return rows_; }
+  ColliderHolds& holds() { return rows_.holds; }
   const SurfaceRows& surfaces() const { return surfaces_; }
   const Outside& outside() const { return outside_; }
   const StartDepths& starts() const { return starts_; }

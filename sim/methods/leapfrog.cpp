@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/collider_holds.h"
 #include "sim/methods/step_length.h"
 #include "sim/methods/strain_error.h"
 #include "sim/methods/vector_sums.h"
@@ -51,6 +52,7 @@ void Leapfrog::findContacts(World& world) const {
   world.ledger.addDissipated(world.contacts.follow(world.now.position));
   const ColliderWork work = findContactForcesNow(world, seconds, world.forces);
   world.contacts.settle(world.now);
+  world.ledger.addDissipated(followHolds(world.contacts, contactMoment(world, seconds), world.forces));
   world.ledger.addOutsideWork(work.outside);
   world.ledger.addDissipated(work.dissipated);
   world.work.contactPairs += world.contacts.pairCount();

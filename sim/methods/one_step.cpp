@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/collider_holds.h"
 #include "sim/methods/step_length.h"
 #include "sim/methods/strain_error.h"
 #include "sim/passes/collider_stops.h"
@@ -90,6 +91,10 @@ Result<double> OneStep::advance(World& world, StepLength& choice) {
   std::swap(start_, end_);
   startKnown_ = true;
   world.contacts.settle(world.now);
+  if (holdsAtColliders(world.contacts.model()) && !world.contacts.quiet()) {
+    world.ledger.addDissipated(followHolds(world.contacts, contactMoment(world, friction), world.forces));
+    startKnown_ = false;
+  }
   if (!world.contacts.surfaces().quiet()) {
     world.ledger.addDissipated(world.contacts.follow(world.now.position));
     startKnown_ = false;

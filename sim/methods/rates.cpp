@@ -15,6 +15,7 @@ void ratesAt(World& world, const Motion& at, double ahead, double kick, Rates& r
   } else {
     const std::vector<MovingCollider> colliders = world.controls.collidersAhead(ahead);
     ContactMoment trial{at, colliders, world.controls.materials(), kick};
+    trial.time = world.time() + ahead;
     trial.awake = world.fragments.activity.awakeLanes();
     trial.awakeVersion = world.fragments.activity.version();
     const ColliderWork work = findContactForces(world.contacts, trial, world.forces);
@@ -51,8 +52,9 @@ void tangentsAt(const World& world, const Motion& at, double ahead, double kick,
   }
   if (world.contacts.quiet()) return;
   const std::vector<MovingCollider> colliders = world.controls.collidersAhead(ahead);
-  addContactTangents(world.contacts, {at, colliders, world.controls.materials(), kick}, world.forces,
-                     tangents);
+  ContactMoment trial{at, colliders, world.controls.materials(), kick};
+  trial.time = world.time() + ahead;
+  addContactTangents(world.contacts, trial, world.forces, tangents);
 }
 
 }  // namespace sim

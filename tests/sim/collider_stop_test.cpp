@@ -126,8 +126,9 @@ TEST_CASE("no stone gets through a thin sheet or plate, however fast, wherever a
       const double kinetic = flight->snapshot().ledger.energy.kinetic;
       CHECK(countCrossings(*flight, collider, std::min(400.0 * step, 8.0 / speed)) == 0);
       CHECK(flight->maxRise() < 1e-3);
-      // Springs of 1e5 begin and end within steps of up to a seventh of a swing of the lightest.
-      CHECK(std::abs(flight->snapshot().ledger.energy.residual) < 1e-4 * kinetic);
+      // Springs of 1e5, of the push and of friction, begin and end within steps of up to a seventh of a swing
+      // of the lightest.
+      CHECK(std::abs(flight->snapshot().ledger.energy.residual) < 1.5e-4 * kinetic);
     }
   }
 }

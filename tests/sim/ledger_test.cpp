@@ -57,7 +57,8 @@ Account accountOf(const Scene& scene, double finer) {
   const auto run = tests::simulation(scene.blueprint, settings, scene.environment, scene.tracks);
   Account account;
   for (int step = 1; run->time() < scene.until; ++step) {
-    REQUIRE(run->stepOnce().ok());
+    const sim::Status status = run->stepOnce();
+    if (!status) FAIL(status.problem().line() << run->snapshot().ledger.energy.kinetic);
     if (step % static_cast<int>(4.0 * finer) != 0) continue;
     account.end = run->snapshot().ledger.energy;
     account.worst = std::max(account.worst, std::abs(account.end.residual));
