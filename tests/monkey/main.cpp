@@ -184,7 +184,8 @@ int report(const Orders& orders, long actions, int caught, const monkey::Watch& 
   const std::size_t every = std::max<std::size_t>(1, watch.memory().size() / 30);
   for (std::size_t i = 0; i < watch.memory().size(); i += every) {
     const monkey::Memory& memory = watch.memory()[i];
-    std::cout << memory.seconds << " s: " << memory.resident << " MB, asked for " << memory.asked << " MB\n";
+    std::cout << memory.seconds << " s: " << memory.resident << " MB, asked for " << memory.asked << " MB, "
+              << memory.widgets << " widgets\n";
   }
   const double growth = watch.growth();
   std::cout << "seed " << orders.seed << ", " << actions << " actions, " << caught << " caught, "

@@ -198,6 +198,9 @@ void Performer::load(const QString& name, bool asking) {
 void Performer::calm() {
   ui::Session& session = window_.session();
   session.stopRun();
+  trigger(QStringLiteral("&Reset Layout"));
+  window_.showNormal();
+  window_.setGeometry(0, 0, 1280, 800);
   load(QStringLiteral("slab"), false);
   while (!session.takes().empty()) session.takes().remove(session.takes().size() - 1);
 }

@@ -17,7 +17,8 @@ class Performer {
 
   /// What means nothing at present, such as the third part of two, is left out.
   void perform(const Action& action);
-  /// Nothing runs, no take is kept, and a small scene is open that nobody edited.
+  /// Nothing runs, no take is kept, a small scene is open that nobody edited, and the window is as it was at
+  /// first.
   void calm();
 
   /// The window that gets the pointer: a popup, else a dialog that keeps all others waiting, else what is

@@ -1,5 +1,6 @@
 #include "tests/monkey/watch.h"
 
+#include <QApplication>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -173,6 +174,7 @@ std::size_t Watch::ownStalls() const {
 void Watch::lookAtMemory() {
   malloc_trim(0);
   memory_.push_back(memoryNow());
+  memory_.back().widgets = static_cast<long>(QApplication::allWidgets().size());
   memory_.back().seconds = static_cast<double>(clock_.elapsed()) * 1e-3;
 }
 

@@ -15,6 +15,7 @@ struct Memory {
   double seconds = 0.0;  ///< since the start
   double resident = 0.0;
   double asked = 0.0;
+  long widgets = 0;  ///< shown or not
 };
 Memory memoryNow();
 
