@@ -108,7 +108,7 @@ sim::Result<AccuracyScene> fromFile(const char* file, const std::function<void(m
 void damp(AccuracyScene& scene, double ratio) {
   scene.dampingRatio = ratio;
   const sim::Spectrum spectrum = sim::measureSpectrum(scene.network);
-  const double share = 2.0 * ratio / (spectrum.highestFrequency * spectrum.longestDamping);
+  const double share = 2.0 * ratio * spectrum.highestFrequency / spectrum.highestDamping;
   for (sim::BondClass& bond : scene.network.classes) bond.damping *= share;
 }
 

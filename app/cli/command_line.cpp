@@ -1,5 +1,8 @@
 #include "app/cli/command_line.h"
 
+#include <cmath>
+#include <type_traits>
+
 #include <CLI/CLI.hpp>
 
 namespace app {
@@ -20,6 +23,23 @@ void addRange(CLI::Option& added, const Range& range, const std::vector<int>*) {
   addRange(added, range, static_cast<const int*>(nullptr));
 }
 
+/// NaN compares with nothing, so that a range lets it through.
+const CLI::Validator kFinite(
+    [](std::string& text) {
+      double number = 0.0;
+      const bool finite = !CLI::detail::lexical_cast(text, number) || std::isfinite(number);
+      return finite ? std::string() : "not a finite number: " + text;
+    },
+    "");
+
+template <class Value>
+constexpr bool isOfFloats() {
+  if constexpr (std::is_floating_point_v<Value>) return true;
+  if constexpr (requires { typename Value::value_type; })
+    return std::is_floating_point_v<typename Value::value_type>;
+  return false;
+}
+
 CLI::Option* addTo(CLI::App& command, const Option& option) {
   return std::visit(
       [&](auto* target) {
@@ -27,6 +47,7 @@ CLI::Option* addTo(CLI::App& command, const Option& option) {
           return command.add_flag(option.name, *target, option.help);
         } else {
           CLI::Option* const added = command.add_option(option.name, *target, option.help);
+          if constexpr (isOfFloats<std::remove_pointer_t<decltype(target)>>()) added->check(kFinite);
           if (option.range) addRange(*added, *option.range, target);
           return added;
         }

@@ -24,6 +24,8 @@ void addId(std::uint32_t id, TextOutput& out) {
 /// How a fragment turns: L = I omega about its centre of mass. Held nodes, whose mass is infinite, count as
 /// if all nodes weighed the same; what its nodes leave open (a line, a point) is 0.
 Vec3 angularVelocity(const FinalFragment& fragment, const sim::Network& network, const sim::Snapshot& frame) {
+  // By rounding, the mean of one place is not that place.
+  if (fragment.nodes.size() == 1) return Vec3::Zero();
   const bool held = !std::isfinite(fragment.fragment.mass);
   const auto massOf = [&](sim::NodeIndex node) { return held ? 1.0 : network.masses[node]; };
   double mass = 0.0;

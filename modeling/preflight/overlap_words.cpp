@@ -61,13 +61,13 @@ std::string sentence(const Overlap& overlap) {
   switch (overlap.kind) {
     case Overlap::Kind::partInObstacle:
       return "the part " + part + " begins " + depth + " inside the obstacle " + other + at +
-             "and will be let out of it slowly; " + remedy(overlap);
+             "and will be let out slowly, if it can; " + remedy(overlap);
     case Overlap::Kind::obstacleInPart:
       return "the obstacle " + other + " stands " + depth + " deep inside the part " + part + at +
              "between its nodes, which do not feel it there; " + remedy(overlap);
     case Overlap::Kind::parts:
       return "the parts " + part + " and " + other + " overlap by " + depth + at +
-             "and will stay inside each other; " + remedy(overlap);
+             "and may stay inside each other; " + remedy(overlap);
   }
   return "";
 }

@@ -23,7 +23,7 @@ double follow(const Contacts& contacts, const ContactMoment& moment, NodeIndex n
   const Intrusion inside = intrusion(collider, here, hold.nearest);
   hold.nearest = inside.nearest;
   const double stiffness = contacts.model().colliderStiffness(node, collider, moment.materials);
-  const double depth = inside.depth - contacts.starts().of(node, which, moment.time).depth;
+  const double depth = inside.depth - contacts.starts().of(node, which, inside.normal, moment.time).depth;
   const bool touches = moment.colliders[which].active && depth > 0.0;
   if (hold.held == 0) {
     if (touches && collider.friction > 0.0) hold = {inCollider(collider, here), 0.0, inside.nearest, 1};

@@ -202,7 +202,7 @@ Push ForcePass::colliderPush(NodeIndex node, std::uint32_t place, ColliderWork& 
   const Vec3 here = moment_.motion.position.get(node);
   const double mass = model_.network().masses[node];
   if (inside.depth <= 0.0 || !std::isfinite(mass)) return {};
-  const StartDepths::Surface surface = contacts_.starts().of(node, which, moment_.time);
+  const StartDepths::Surface surface = contacts_.starts().of(node, which, inside.normal, moment_.time);
   if (inside.depth <= surface.depth) return {};
   const Vec3 carried = collider.velocityAt(here) + surface.speed * inside.normal;
   const Vec3 relative = moment_.motion.velocity.get(node) - carried;
@@ -334,7 +334,8 @@ double contactEnergy(const Contacts& contacts, const ContactMoment& moment) {
       const std::uint32_t which = rows.nearColliders[c];
       const Collider& collider = moment.colliders[which].shape;
       const Intrusion inside = intrusion(collider, here);
-      const double depth = inside.depth - contacts.starts().of(row.node, which, moment.time).depth;
+      const double depth =
+          inside.depth - contacts.starts().of(row.node, which, inside.normal, moment.time).depth;
       if (depth <= 0.0) continue;
       const double stiffness = model.colliderStiffness(row.node, collider, moment.materials);
       sum += spring(stiffness, depth);

@@ -45,7 +45,7 @@ void addColliderTangent(const Contacts& contacts, NodeIndex node, std::uint32_t 
   const MovingCollider& collider = moment.colliders[which];
   const Vec3 here = moment.motion.position.get(node);
   const Intrusion inside = intrusion(collider.shape, here);
-  const StartDepths::Surface surface = contacts.starts().of(node, which, moment.time);
+  const StartDepths::Surface surface = contacts.starts().of(node, which, inside.normal, moment.time);
   const double mass = contacts.model().network().masses[node];
   if (inside.depth <= surface.depth || !std::isfinite(mass)) return;
   const Vec3 carried = collider.velocityAt(here) + surface.speed * inside.normal;

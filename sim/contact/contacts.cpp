@@ -51,7 +51,6 @@ void Contacts::rebuild(const Motion& motion, const Components& components, const
     starts_.begin({model_, components, motion.position, colliders, time}, near.nodes, *among);
   } else {
     surfacesStart_ = false;
-    starts_.forgetPast(motion.position, colliders, time);
   }
   rows_.fill(model_, pairs, near.nodes);
   RowAge::Found found;

@@ -48,8 +48,17 @@ class Contacts {
   /// What is inside something when this is first done begins there.
   void rebuild(const Motion& motion, const Components& components, const Breakage& breakage,
                std::span<const MovingCollider> colliders, double time, double travel = 0.0);
-  /// Lets rho grow where pairs are apart. Once a step; forces of the same moment do not depend on it.
-  void settle(const Motion& motion) { rows_.growApart(model_, motion); }
+  /// Lets rho grow where pairs are apart, and forgets what is out of what it began in. Once a step; forces of
+  /// the same moment do not depend on it.
+  void settle(const Motion& motion, std::span<const MovingCollider> colliders, double time) {
+    rows_.growApart(model_, motion);
+    if (!starts_.empty()) starts_.follow(motion.position, colliders, time);
+  }
+  /// What the next rows find deeper inside colliders than it was among these begins there.
+  void beginAmong(std::span<const MovingCollider> before) {
+    startsAmong_.emplace(before.begin(), before.end());
+    age_.makeStale();
+  }
   /// Surfaces that touch are found at these positions. Once a step, before its forces. Gives what energy is
   /// lost by it, erg.
   double follow(const NodeVectors& positions);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace sim {
@@ -10,6 +12,10 @@ namespace {
 
 /// Cosine: what goes out within 60 degrees of the way that most go goes the same way.
 constexpr double kSameWay = 0.5;
+/// Of all depths of a fragment in a collider, so much must add up to one way.
+constexpr double kOneWay = 0.7;
+/// Cosine: ways of two colliders that squeeze what is between them.
+constexpr double kAgainst = -0.3;
 
 double depthIn(const MovingCollider& collider, const Vec3& point) {
   return collider.active ? std::max(0.0, intrusion(collider.shape, point).depth) : 0.0;
@@ -21,42 +27,82 @@ std::pair<NodeIndex, std::uint32_t> StartDepths::placeOf(const Depth& depth) {
   return {depth.node, depth.collider};
 }
 
-StartDepths::Surface StartDepths::surfaceOf(const Depth& depth, double time) {
-  if (depth.pushes == 0) return {depth.depth, 0.0};
-  const double left = depth.depth - kSpeed * (time - depth.since);
+bool StartDepths::isPushed(const Depth& depth, const Vec3& normal) {
+  return normal.dot(depth.wayOut()) > kSameWay;
+}
+
+double StartDepths::depthAt(const Depth& depth, double time) {
+  return std::max(0.0, depth.depth - kSpeed * (time - depth.since));
+}
+
+StartDepths::Surface StartDepths::of(NodeIndex node, std::uint32_t collider, const Vec3& normal,
+                                     double time) const {
+  if (depths_.empty()) return {};
+  const auto found = std::ranges::lower_bound(depths_, std::pair(node, collider), {}, placeOf);
+  if (found == depths_.end() || placeOf(*found) != std::pair(node, collider)) return {};
+  if (!isPushed(*found, normal)) return {std::numeric_limits<double>::infinity(), 0.0};
+  const double left = depthAt(*found, time);
   return left > 0.0 ? Surface{left, kSpeed} : Surface{};
 }
 
-StartDepths::Surface StartDepths::of(NodeIndex node, std::uint32_t collider, double time) const {
-  if (depths_.empty()) return {};
-  const auto found = std::ranges::lower_bound(depths_, std::pair(node, collider), {}, placeOf);
-  const bool begun = found != depths_.end() && placeOf(*found) == std::pair(node, collider);
-  return begun ? surfaceOf(*found, time) : Surface{};
+namespace {
+
+/// Where a fragment is to go out of a collider.
+struct Way {
+  Vec3 sum = Vec3::Zero();
+  double depths = 0.0;
+
+  bool isOne() const { return sum.norm() > kOneWay * depths; }
+};
+using Ways = std::map<std::pair<FragmentId, std::uint32_t>, Way>;
+
+std::set<FragmentId> heldFragments(const StartDepths::Scene& scene) {
+  std::set<FragmentId> held;
+  const std::vector<double>& masses = scene.model.network().masses;
+  for (NodeIndex node = 0; node < masses.size(); ++node) {
+    if (!std::isfinite(masses[node])) held.insert(scene.components.of(node));
+  }
+  return held;
 }
+
+bool isSqueezed(const Ways& ways, FragmentId fragment, const Vec3& way) {
+  const auto end = ways.upper_bound({fragment, std::numeric_limits<std::uint32_t>::max()});
+  for (auto other = ways.lower_bound({fragment, 0}); other != end; ++other) {
+    if (other->second.sum.normalized().dot(way) < kAgainst) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 void StartDepths::begin(const Scene& scene, std::span<const NodeAtCollider> near,
                         std::span<const MovingCollider> before) {
   std::vector<Depth> begun;
-  std::vector<Vec3> waysOut;
-  std::map<std::pair<FragmentId, std::uint32_t>, Vec3> mostGo;
+  Ways ways;
   for (const auto& [node, c] : near) {
     const MovingCollider& collider = scene.colliders[c];
     const double mass = scene.model.network().masses[node];
     if (!collider.active || !std::isfinite(mass)) continue;
     const Vec3 here = scene.positions.get(node);
     const Intrusion inside = intrusion(collider.shape, here);
-    const double known = of(node, c, scene.time).depth;
+    const double known = of(node, c, inside.normal, scene.time).depth;
     const double pressed = c < before.size() ? depthIn(before[c], here) : 0.0;
     const double more = inside.depth - std::max(known, pressed);
     const double rate = std::sqrt(scene.model.unscaledStiffness(node, collider.shape) / mass);
     if (!(more * rate > kSpeed)) continue;
-    begun.push_back({known + more, scene.time, node, c, 1});
-    waysOut.push_back(inside.normal);
-    mostGo.try_emplace({scene.components.of(node), c}, Vec3::Zero()).first->second += more * inside.normal;
+    begun.push_back({known + more, scene.time, {}, node, c});
+    Way& way = ways[{scene.components.of(node), c}];
+    way.sum += more * inside.normal;
+    way.depths += more;
   }
-  for (std::size_t i = 0; i < begun.size(); ++i) {
-    const Vec3& way = mostGo.at({scene.components.of(begun[i].node), begun[i].collider});
-    begun[i].pushes = waysOut[i].dot(way) > kSameWay * way.norm() ? 1 : 0;
+  if (begun.empty()) return;
+  const std::set<FragmentId> held = heldFragments(scene);
+  for (Depth& depth : begun) {
+    const FragmentId fragment = scene.components.of(depth.node);
+    const Way& all = ways.at({fragment, depth.collider});
+    const Vec3 way = all.sum.normalized();
+    if (!all.isOne() || held.contains(fragment) || isSqueezed(ways, fragment, way)) continue;
+    depth.way = {way.x(), way.y(), way.z()};
   }
   // What begins anew comes first where something had begun already.
   begun.insert(begun.end(), depths_.begin(), depths_.end());
@@ -66,12 +112,16 @@ void StartDepths::begin(const Scene& scene, std::span<const NodeAtCollider> near
   depths_ = std::move(begun);
 }
 
-void StartDepths::forgetPast(const NodeVectors& positions, std::span<const MovingCollider> colliders,
-                             double time) {
+void StartDepths::follow(const NodeVectors& positions, std::span<const MovingCollider> colliders,
+                         double time) {
   std::erase_if(depths_, [&](Depth& depth) {
-    const double now = depthIn(colliders[depth.collider], positions.get(depth.node));
-    if (depth.pushes == 0) depth.depth = std::min(depth.depth, now);
-    return now == 0.0 || surfaceOf(depth, time).depth == 0.0;
+    const MovingCollider& collider = colliders[depth.collider];
+    const Intrusion inside = intrusion(collider.shape, positions.get(depth.node));
+    if (!collider.active || inside.depth <= 0.0) return true;
+    if (isPushed(depth, inside.normal)) return depthAt(depth, time) == 0.0;
+    depth.depth = inside.depth;
+    depth.since = time;
+    return false;
   });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,8 +29,14 @@ class StartDepths {
   };
 
   bool empty() const { return depths_.empty(); }
-  /// Where the surface of a collider is for a node at a time (s).
-  Surface of(NodeIndex node, std::uint32_t collider, double time) const;
+  /// Where the surface of a collider is for a node that it would push along `normal` at a time (s).
+  Surface of(NodeIndex node, std::uint32_t collider, const Vec3& normal, double time) const;
+
+  /// The collider is as if it were not there for the node, which began inside and is let be until it is out.
+  bool letsBe(NodeIndex node, std::uint32_t collider, const Vec3& normal, double time) const {
+    return !depths_.empty() &&
+           of(node, collider, normal, time).depth == std::numeric_limits<double>::infinity();
+  }
 
   /// Where everything is when something begins.
   struct Scene {
@@ -40,13 +48,15 @@ class StartDepths {
   };
   /// All free nodes that an active collider would throw out faster than kSpeed begin inside it; where they
   /// were inside among `before`, too, by how much deeper they are. `near`: all that may be inside, by node,
-  /// then collider. Colliders are in one order in both; there may be more now. Of a fragment whose nodes
-  /// would have to go different ways, such as one that stands across a narrow wall, only those are pushed
-  /// that go the way most go; the others are let be until they are out.
+  /// then collider. Colliders are in one order in both; there may be more now.
+  ///
+  /// A fragment is pushed one way out of a collider, and only by nodes whose nearest way that is. It is let
+  /// be where its nodes would have to go different ways, where two colliders push it against each other, and
+  /// where some of it is held.
   void begin(const Scene& scene, std::span<const NodeAtCollider> near,
              std::span<const MovingCollider> before);
-  /// Forgets nodes that are out by now, and how deep others were that are less deep.
-  void forgetPast(const NodeVectors& positions, std::span<const MovingCollider> colliders, double time);
+  /// Forgets nodes that are out by now, and how deep others were that are less deep. Once a step.
+  void follow(const NodeVectors& positions, std::span<const MovingCollider> colliders, double time);
 
   void save(ByteWriter& writer) const;
   bool load(ByteReader& reader, std::size_t nodeCount, std::size_t colliderCount);
@@ -54,14 +64,17 @@ class StartDepths {
 
  private:
   struct Depth {
-    double depth = 0.0;  ///< cm, at `since`
-    double since = 0.0;  ///< s
+    double depth = 0.0;           ///< cm, at `since`
+    double since = 0.0;           ///< s
+    std::array<double, 3> way{};  ///< unit, out of the collider; zero: it is let be
     NodeIndex node = kNone;
     std::uint32_t collider = 0;
-    std::uint64_t pushes = 0;  ///< else the surface waits for the node
+
+    Vec3 wayOut() const { return {way[0], way[1], way[2]}; }
   };
   static std::pair<NodeIndex, std::uint32_t> placeOf(const Depth& depth);
-  static Surface surfaceOf(const Depth& depth, double time);
+  static bool isPushed(const Depth& depth, const Vec3& normal);
+  static double depthAt(const Depth& depth, double time);
 
   std::vector<Depth> depths_;  ///< by node, then collider
 };

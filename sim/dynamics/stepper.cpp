@@ -144,6 +144,7 @@ void Stepper::applyTracks() {
   world_.controlsTime = world_.time();
   if (world_.controlsTime < world_.controls.constantUntil()) return;
   const Vec3 gravityBefore = world_.controls.gravity();
+  const std::vector<MovingCollider> collidersBefore = world_.controls.colliders();
   Controls ahead = world_.controls;
   const Controls::Change change = ahead.moveTo(world_.controlsTime);
   const bool energyChanges =
@@ -154,7 +155,7 @@ void Stepper::applyTracks() {
   if (!change.any()) return;
   integrator_->forgetForces();
   world_.contacts.age().moveColliders(world_.controls.colliderTravel());
-  if (change.colliders) world_.contacts.age().makeStale();
+  if (change.colliders || change.leap) world_.contacts.beginAmong(collidersBefore);
   if (energyChanges || change.colliders) refreshContacts();
   if (energyChanges) {
     world_.ledger.addOutsideWork(potentialEnergy(world_) - before);

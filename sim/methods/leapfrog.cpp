@@ -51,7 +51,7 @@ void Leapfrog::findContacts(World& world) const {
   const double seconds = kick(world.clock);
   world.ledger.addDissipated(world.contacts.follow(world.now.position));
   const ColliderWork work = findContactForcesNow(world, seconds, world.forces);
-  world.contacts.settle(world.now);
+  world.contacts.settle(world.now, world.controls.colliders(), world.time());
   world.ledger.addDissipated(followHolds(world.contacts, contactMoment(world, seconds), world.forces));
   world.ledger.addOutsideWork(work.outside);
   world.ledger.addDissipated(work.dissipated);

@@ -90,7 +90,7 @@ Result<double> OneStep::advance(World& world, StepLength& choice) {
   std::swap(world.now, world.next);
   std::swap(start_, end_);
   startKnown_ = true;
-  world.contacts.settle(world.now);
+  world.contacts.settle(world.now, world.controls.colliders(), world.time());
   if (holdsAtColliders(world.contacts.model()) && !world.contacts.quiet()) {
     world.ledger.addDissipated(followHolds(world.contacts, contactMoment(world, friction), world.forces));
     startKnown_ = false;

@@ -21,16 +21,17 @@ double inverseMass(const Network& network, NodeIndex node) {
   return 1.0 / network.masses[node];
 }
 
-/// Gershgorin's bounds of the eigenvalues of M^-1/2 K M^-1/2, node by node.
-std::vector<double> nodeBounds(const Network& network) {
+/// Gershgorin's bounds of the eigenvalues of M^-1/2 C M^-1/2, node by node, C being made of this constant of
+/// each bond.
+std::vector<double> nodeBounds(const Network& network, double BondClass::*constant) {
   std::vector<double> rowSum(network.nodeCount(), 0.0);
   for (NodeIndex a = 0; a < network.nodeCount(); ++a) {
     for (BondIndex b = network.firstBond[a]; b < network.firstBond[a + 1]; ++b) {
       const NodeIndex other = network.bondEnds[b];
-      const double stiffness = network.bond(b).stiffness;
-      const double cross = stiffness * std::sqrt(inverseMass(network, a) * inverseMass(network, other));
-      rowSum[a] += stiffness * inverseMass(network, a) + cross;
-      rowSum[other] += stiffness * inverseMass(network, other) + cross;
+      const double each = network.bond(b).*constant;
+      const double cross = each * std::sqrt(inverseMass(network, a) * inverseMass(network, other));
+      rowSum[a] += each * inverseMass(network, a) + cross;
+      rowSum[other] += each * inverseMass(network, other) + cross;
     }
   }
   return rowSum;
@@ -84,7 +85,7 @@ double powerEstimate(const Network& network, const std::vector<double>& bounds) 
 Spectrum measureSpectrum(const Network& network) {
   Spectrum spectrum;
   if (network.bondCount() == 0) return spectrum;
-  const std::vector<double> bounds = nodeBounds(network);
+  const std::vector<double> bounds = nodeBounds(network, &BondClass::stiffness);
   double bound = *std::max_element(bounds.begin(), bounds.end());
   if (network.cellCount() > 0) {
     if (const std::optional<double> cells = largestOfCells(network)) bound = std::min(bound, *cells);
@@ -92,10 +93,15 @@ Spectrum measureSpectrum(const Network& network) {
   const double power = std::sqrt(powerEstimate(network, bounds)) * kPowerMargin;
   spectrum.highestFrequency = power > 0.0 ? std::min(std::sqrt(bound), power) : std::sqrt(bound);
   spectrum.shortestDamping = std::numeric_limits<double>::max();
+  double longest = 0.0;
   for (const BondClass& bond : network.classes) {
-    spectrum.longestDamping = std::max(spectrum.longestDamping, bond.damping / bond.stiffness);
+    longest = std::max(longest, bond.damping / bond.stiffness);
     spectrum.shortestDamping = std::min(spectrum.shortestDamping, bond.damping / bond.stiffness);
   }
+  // Where the soft is damped and the stiff is not, the first of these is far too careful.
+  const std::vector<double> damping = nodeBounds(network, &BondClass::damping);
+  spectrum.highestDamping = std::min(longest * spectrum.highestFrequency * spectrum.highestFrequency,
+                                     *std::max_element(damping.begin(), damping.end()));
   return spectrum;
 }
 
@@ -105,9 +111,7 @@ double totalFrequency(const Spectrum& spectrum, const Stiffening& stiffening) {
 }
 
 double dampingRatio(const Spectrum& spectrum, const Stiffening& stiffening) {
-  const double internal = spectrum.highestFrequency * spectrum.highestFrequency;
-  const double rate =
-      spectrum.longestDamping * stiffening.dampingScale * internal + stiffening.contactDamping;
+  const double rate = spectrum.highestDamping * stiffening.dampingScale + stiffening.contactDamping;
   return rate / (2.0 * totalFrequency(spectrum, stiffening));
 }
 

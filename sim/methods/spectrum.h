@@ -9,7 +9,8 @@ namespace sim {
 struct Spectrum {
   /// omega, rad/s: within 4 % of the truth, and mostly above it.
   double highestFrequency = 0.0;
-  double longestDamping = 0.0;   ///< largest d / k of a bond, s
+  /// 1/s: no swing is damped faster, by dampers alone.
+  double highestDamping = 0.0;
   double shortestDamping = 0.0;  ///< smallest d / k of a bond, s
 };
 

@@ -41,6 +41,15 @@ bool movesByItself(const World& world, NodeIndex node) {
          world.components.births()[world.components.of(node)].nodeCount == 1;
 }
 
+/// A collider that the node began in and is not pushed out of.
+bool isLetBe(const World& world, NodeIndex node, std::uint32_t collider) {
+  const StartDepths& starts = world.contacts.starts();
+  if (starts.empty()) return false;
+  const Intrusion inside =
+      intrusion(world.controls.colliders()[collider].shape, world.now.position.get(node));
+  return inside.depth > 0.0 && starts.letsBe(node, collider, inside.normal, world.time());
+}
+
 /// The force that stops the node where colliders do not let it on, and what moving ones do by it.
 Stop stopOf(const World& world, const NearCollider& near, double kick, bool byOldVelocity) {
   const double step = world.clock.step;
@@ -51,6 +60,7 @@ Stop stopOf(const World& world, const NearCollider& near, double kick, bool byOl
   Vec3 velocity = unstopped;
   Stop stop;
   for (std::size_t c = 0; c < near.colliders.size(); ++c) {
+    if (isLetBe(world, near.node, near.colliders[c])) continue;
     const MovingCollider& collider = world.controls.colliders()[near.colliders[c]];
     const Vec3 stopped = stoppedVelocity(collider, here, velocity, step, near.inside[c].nearest);
     stop.work += mass * (stopped - velocity).dot(collider.velocityAt(here));
@@ -59,6 +69,7 @@ Stop stopOf(const World& world, const NearCollider& near, double kick, bool byOl
   // One wall of a gap may have turned it against another.
   for (const std::uint32_t c : near.colliders) {
     if (near.colliders.size() == 1) break;
+    if (isLetBe(world, near.node, c)) continue;
     const MovingCollider& collider = world.controls.colliders()[c];
     if (stoppedVelocity(collider, here, velocity, step) == velocity) continue;
     stop.work += mass * (collider.velocityAt(here) - velocity).dot(collider.velocityAt(here));
@@ -72,6 +83,7 @@ Stop stopOf(const World& world, const NearCollider& near, double kick, bool byOl
 bool runsIntoStop(const World& world, const NearCollider& near) {
   const Vec3 velocity = world.now.velocity.get(near.node);
   return std::ranges::any_of(near.colliders, [&](std::uint32_t c) {
+    if (isLetBe(world, near.node, c)) return false;
     return stoppedVelocity(world.controls.colliders()[c], world.now.position.get(near.node), velocity,
                            kStepsAhead * world.clock.step) != velocity;
   });
@@ -131,7 +143,7 @@ void meltStopped(World& world) {
 bool stopAfterStep(World& world, const NodeVectors& accelerations, double length) {
   bool any = false;
   world.contacts.forEachNearCollider([&](NodeIndex node, std::uint32_t c) {
-    if (!std::isfinite(world.network.masses[node])) return;
+    if (!std::isfinite(world.network.masses[node]) || isLetBe(world, node, c)) return;
     const MovingCollider& collider = world.controls.colliders()[c];
     const Vec3 from = world.now.position.get(node);
     const Vec3 mean = (world.next.position.get(node) - from) / length;

@@ -34,7 +34,10 @@ std::vector<FragmentSums> sumFragments(const World& world) {
     sum.angularMomentum += mass * arm.cross(world.now.velocity.get(node));
     sum.inertia += mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
   }
-  for (FragmentSums& sum : sums) {
+  for (FragmentId fragment = 0; fragment < sums.size(); ++fragment) {
+    FragmentSums& sum = sums[fragment];
+    // By rounding, the mean of one place is not that place.
+    if (world.components.births()[fragment].nodeCount == 1) continue;
     if (sum.inertia.trace() > 0.0) sum.spin = spinOf(sum.inertia, sum.angularMomentum);
   }
   for (const RigidBody& body : world.fragments.bodies) {

@@ -227,7 +227,7 @@ TEST_CASE("lists of neighbours find every pair that touches, however nodes move 
   for (int step = 0; step < kSteps; ++step) {
     if (contacts.age().stale()) contacts.rebuild(motion, components, breakage, {}, 0.0);
     sim::findContactForces(contacts, {motion, {}, materials, kStep, 0.0}, forces);
-    contacts.settle(motion);
+    contacts.settle(motion, {}, 0.0);
     const std::vector<Vec3> expected = truth.forces(motion, components);
     double travel = 0.0;
     for (std::size_t n = 0; n < count; ++n) {

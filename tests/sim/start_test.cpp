@@ -65,10 +65,44 @@ TEST_CASE("what begins in the floor comes out slowly, unbroken, and lies on it")
   CHECK(std::abs(lowestOf(*run)) < 0.01);
 }
 
-TEST_CASE("what begins across a wall that is narrower than it is neither torn apart nor thrown") {
+TEST_CASE("by every method, what begins in the floor is let out slowly") {
+  const auto method = GENERATE(sim::Method::forwardEuler, sim::Method::symplecticEuler,
+                               sim::Method::rungeKutta, sim::Method::implicitMidpoint);
+  sim::Settings settings = tests::losslessSettings();
+  settings.method = method;
+  const auto run = tests::simulation(tests::block(brittle(Vec3(0.0, 0.0, -0.05))), settings, tests::earth());
+  CHECK(fastestUntil(*run, 0.03) < 10.0);
+  CHECK(run->brokenBondCount() == 0);
+  CHECK(run->maxRise() < 0.005);
+}
+
+TEST_CASE("what has no one way out is neither torn apart nor thrown") {
   sim::Environment environment;
   environment.gravity = Vec3::Zero();
-  environment.colliders.push_back(boxAt(Vec3(1.5, 1.5, 1.0), Vec3(0.8, 9.0, 9.0)));
+  SECTION("across a wall that is narrower than it is") {
+    environment.colliders.push_back(boxAt(Vec3(1.5, 1.5, 1.0), Vec3(0.8, 9.0, 9.0)));
+  }
+  SECTION("longer than the box that it stands in") {
+    environment.colliders.push_back(boxAt(Vec3(1.5, 1.5, 1.0), Vec3(1.2, 2.0, 2.0)));
+  }
+  SECTION("in the middle of a ball") {
+    sim::Collider ball;
+    ball.name = "ball";
+    ball.shape = sim::SphereShape{.radius = 5.0};
+    ball.position = Vec3(1.5, 1.5, 1.0);
+    environment.colliders.push_back(ball);
+  }
+  SECTION("about a small ball") {
+    sim::Collider ball;
+    ball.name = "ball";
+    ball.shape = sim::SphereShape{.radius = 1.2};
+    ball.position = Vec3(1.5, 1.5, 1.0);
+    environment.colliders.push_back(ball);
+  }
+  SECTION("between walls that are too near each other") {
+    environment.colliders.push_back(boxAt(Vec3(-4.7, 1.5, 1.0), Vec3(5.0, 9.0, 9.0)));
+    environment.colliders.push_back(boxAt(Vec3(7.7, 1.5, 1.0), Vec3(5.0, 9.0, 9.0)));
+  }
   const auto run =
       tests::simulation(tests::block(brittle(Vec3::Zero())), tests::losslessSettings(), environment);
   CHECK(fastestUntil(*run, 0.5) < 10.0);
@@ -88,6 +122,42 @@ TEST_CASE("a floor that is raised between two takes lifts what lies on it, and d
   CHECK(fastestUntil(*after, 0.25) < 10.0);
   CHECK(after->brokenBondCount() == 0);
   CHECK(std::abs(lowestOf(*after) - 0.3) < 0.01);
+}
+
+TEST_CASE("a part that is held at one end is not bent out of the floor") {
+  sim::Blueprint blueprint = tests::block(brittle(Vec3(0.0, 0.0, -0.3)));
+  for (sim::Blueprint::Node& node : blueprint.nodes) {
+    if (node.position.x() < 0.5) node.mass = std::numeric_limits<double>::infinity();
+  }
+  const auto run = tests::simulation(std::move(blueprint), tests::losslessSettings(), tests::earth());
+  CHECK(fastestUntil(*run, 0.1) < 10.0);
+  CHECK(run->brokenBondCount() == 0);
+}
+
+TEST_CASE("a floor that leaps up, or begins to act, lifts what is on it slowly") {
+  sim::Environment environment = tests::earth();
+  environment.colliders[0].dampingRatio = 0.8;
+  std::vector<sim::Track> tracks;
+  SECTION("leaps") {
+    sim::Track up{.target = sim::TrackTarget::colliderPosition,
+                  .object = 0,
+                  .interpolation = sim::Interpolation::step,
+                  .keys = {}};
+    up.keys.push_back({0.0, Vec3::Zero()});
+    up.keys.push_back({0.05, Vec3(0.0, 0.0, 0.3)});
+    tracks.push_back(up);
+  }
+  SECTION("begins to act") {
+    sim::Collider second = environment.colliders[0];
+    second.position.z() = 0.3;
+    second.activeFrom = 0.05;
+    environment.colliders.push_back(second);
+  }
+  const auto run =
+      tests::simulation(tests::block(brittle(Vec3::Zero())), tests::losslessSettings(), environment, tracks);
+  CHECK(fastestUntil(*run, 0.3) < 10.0);
+  CHECK(run->brokenBondCount() == 0);
+  CHECK(std::abs(lowestOf(*run) - 0.3) < 0.01);
 }
 
 TEST_CASE("a run that goes on while something is let out is the same to the bit") {
