@@ -100,6 +100,13 @@ std::vector<std::string> lammpsDeviations(const LammpsModel& model) {
       "too, by a soft spring that is as stiff as ours at "
       "first touch; between nodes there is neither contact damping nor friction, and nodes that begin in "
       "contact stay as large as they are apart then");
+  const auto isRough = [](const sim::Collider& collider) { return collider.friction > 0.0; };
+  if (model.conditions.settings.contact.kind == sim::ContactKind::surfaces &&
+      std::ranges::any_of(model.conditions.environment.colliders, isRough))
+    said.emplace_back(
+        "friction at colliders opposes the speed of what slides, as with solver.contact.kind nodes: what "
+        "rests "
+        "on a slope creeps");
   addColliders(model, said);
   if (!model.conditions.tracks.empty())
     said.emplace_back("tracks are left out: gravity, stiffness and colliders stay as they are without them");

@@ -41,8 +41,9 @@ struct SlabScene {
            R"(}, "worldFromPart": {"position": [0, 0, )" + std::to_string(height) +
            R"(], "rotation": [20, 10, 0]}, "velocity": [0, 0, -200]}], "environment": {"colliders": )" +
            R"([{"name": "floor", "kind": "floor")" + collider + "}" + colliders +
-           R"(]}, "solver": {"step": )" + std::to_string(step) + R"(}, "output": {"fps": )" +
-           std::to_string(fps) + R"(, "duration": )" + std::to_string(duration) + "}}";
+           R"(]}, "solver": {"contact": {"kind": "nodes"}, "step": )" + std::to_string(step) +
+           R"(}, "output": {"fps": )" + std::to_string(fps) + R"(, "duration": )" + std::to_string(duration) +
+           "}}";
   }
 };
 

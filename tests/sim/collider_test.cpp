@@ -294,7 +294,7 @@ TEST_CASE("a collider that turns carries along what lies on it") {
   CHECK(std::abs(energy.residual) < 0.01 * energy.outsideWork);
 }
 
-TEST_CASE("a collider that leaps into a body does the work that it leaves there") {
+TEST_CASE("a collider that leaps into a body lets it out slowly, and does the work that it leaves there") {
   Collider sphere;
   sphere.shape = sim::SphereShape{};
   sphere.stiffness = 1e4;
@@ -304,10 +304,12 @@ TEST_CASE("a collider that leaps into a body does the work that it leaves there"
                            {{0.0, Vec3(0.0, 0.0, -100.0)}, {0.05, Vec3(0.0, 0.0, -0.5)}});
   const auto thrown =
       tests::simulation(stone(Vec3::Zero(), Vec3::Zero()), fixedStep(1e-4), only(sphere), {leap});
-  tests::run(*thrown, 0.2);
+  tests::run(*thrown, 0.5);
   const sim::Energy energy = thrown->snapshot().ledger.energy;
-  // Half a centimetre into a spring of 1e4.
-  CHECK(energy.kinetic == Approx(0.5 * 1e4 * 0.25).epsilon(0.01));
+  // Half a centimetre into a spring of 1e4, whose surface comes out at 3 cm/s: what has no dampers springs
+  // off it at up to twice that.
+  CHECK(energy.kinetic > 0.5 * 3.0 * 3.0 * 0.99);
+  CHECK(energy.kinetic < 0.5 * 6.0 * 6.0 * 1.01);
   CHECK(energy.outsideWork == Approx(energy.kinetic).epsilon(0.01));
   CHECK(thrown->maxRise() < 0.01);
 }

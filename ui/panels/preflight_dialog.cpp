@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/panels/quantity.h"
 #include "ui/theme/theme.h"
@@ -26,6 +27,13 @@ constexpr std::size_t kMostOverlaps = 6;
 
 QString colouredBy(const QColor& colour) {
   return QStringLiteral("color: %1;").arg(colour.name());
+}
+
+/// cm: all of them together
+double depthOf(const std::vector<modeling::Overlap>& overlaps) {
+  double depth = 0.0;
+  for (const modeling::Overlap& overlap : overlaps) depth += overlap.depth;
+  return depth;
 }
 
 QString overlapLines(const std::vector<modeling::Overlap>& overlaps) {
@@ -242,9 +250,18 @@ void PreflightDialog::showOverlaps(const modeling::Preflight& flight) {
   found_ = flight.overlaps;
   moveOut_->setVisible(
       std::ranges::any_of(found_, [](const modeling::Overlap& overlap) { return overlap.mend.has_value(); }));
+  const double before = std::exchange(depthMoved_, 0.0);
+  if (before > 0.0 && depthOf(found_) >= before)
+    overlaps_->setText(tr("They do not come free by being moved like this: move them by hand.") +
+                       QStringLiteral("\n") + overlapLines(found_));
+  // The lines wrap, and a layout asks for their height only once it knows the width.
+  layout()->activate();
+  const int missing = layout()->heightForWidth(width()) - height();
+  if (missing > 0) resize(width(), height() + missing);
 }
 
 void PreflightDialog::moveOut() {
+  depthMoved_ = depthOf(found_);
   session_.document().edit(tr("Move Out"),
                            [&](modeling::Scene& scene) { modeling::applyMends(found_, scene); });
   look();

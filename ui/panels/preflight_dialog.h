@@ -56,6 +56,8 @@ class PreflightDialog : public QDialog {
   QLabel* overlaps_;  ///< a line each
   QPushButton* moveOut_;
   std::vector<modeling::Overlap> found_;  ///< what the lines are about
+  double depthMoved_ =
+      0.0;  ///< cm: all depths before the parts were moved, until the next look; zero: they were not
   QTreeWidget* parts_;
 };
 
