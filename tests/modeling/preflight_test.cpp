@@ -36,9 +36,10 @@ TEST_CASE("a pre-flight says how large and how long a run will be") {
   CHECK(flight.stableStep == step);
   CHECK(flight.step == step);
   // Nothing is driven, nor fast enough to matter; but what falls does so rigidly for a moment, with steps of
-  // twice the length. It falls for less than a hundredth of the duration.
+  // twice the length. It falls for less than a hundredth of the duration; until it touches, steps may be
+  // longer by what contacts count.
   CHECK(flight.steps <= 0.5 / step + 1.0);
-  CHECK(flight.steps > 0.99 * 0.5 / step);
+  CHECK(flight.steps > 0.97 * 0.5 / step);
   CHECK(flight.stepsPerSecond == Approx(flight.steps / 0.5));
   CHECK(flight.memoryBytes > 1'000'000);
   CHECK(flight.peakMemoryBytes >= flight.memoryBytes);
@@ -53,7 +54,10 @@ TEST_CASE("a pre-flight says how large and how long a run will be") {
 
 TEST_CASE("a pre-flight says what limits the step") {
   Scene scene = tests::tableScene(sim::Method::velocityVerlet);
-  CHECK(flightOf(scene, builtOf(scene)).stableStepLimit == sim::StepLimit::lattice);
+  Scene alone = scene;
+  alone.environment.colliders.clear();
+  alone.solver.contact.between = false;
+  CHECK(flightOf(alone, builtOf(alone)).stableStepLimit == sim::StepLimit::lattice);
   scene.environment.colliders[0].stiffness = 1e12;
   CHECK(flightOf(scene, builtOf(scene)).stableStepLimit == sim::StepLimit::contact);
   scene.environment.colliders[0].stiffness.reset();
