@@ -6,11 +6,6 @@
 namespace sim {
 namespace {
 
-bool isMoved(NodeIndex node, const ContactMoment& moment) {
-  return moment.awake.empty() ||
-         ((static_cast<unsigned>(moment.awake[node / kBlockNodes]) >> (node % kBlockNodes)) & 1U) != 0;
-}
-
 Vec3 inCollider(const Collider& collider, const Vec3& point) {
   return collider.rotation.conjugate() * (point - collider.position);
 }
@@ -70,7 +65,7 @@ double followHolds(Contacts& contacts, const ContactMoment& moment, const Contac
     bool held = false;
     for (std::uint32_t c = row.firstCollider; c < row.lastCollider; ++c) {
       ColliderHold& hold = holds.byCollider[c];
-      if (isMoved(row.node, moment)) lost += follow(contacts, moment, row.node, rows.nearColliders[c], hold);
+      if (moment.moves(row.node)) lost += follow(contacts, moment, row.node, rows.nearColliders[c], hold);
       held = held || hold.held != 0;
     }
     if (held) holds.rows.push_back(r);

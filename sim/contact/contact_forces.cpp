@@ -62,11 +62,6 @@ struct Push {
   Vec3 lossy = Vec3::Zero();
 };
 
-bool isAwake(NodeIndex node, const ContactMoment& moment) {
-  return moment.awake.empty() ||
-         ((static_cast<unsigned>(moment.awake[node / kBlockNodes]) >> (node % kBlockNodes)) & 1U) != 0;
-}
-
 /// The forces of one moment being found.
 class ForcePass {
  public:
@@ -118,7 +113,7 @@ void ForcePass::prepare() {
   forces_.watchedVersion = moment_.awakeVersion;
   forces_.watched.clear();
   for (std::uint32_t row = 0; row < rows_.rows.size(); ++row) {
-    if (isAwake(rows_.rows[row].node, moment_)) forces_.watched.push_back(row);
+    if (moment_.moves(rows_.rows[row].node)) forces_.watched.push_back(row);
   }
 }
 
@@ -173,7 +168,7 @@ Push ForcePass::pairPush(NodeIndex node, const ContactEntry& entry, const PairCo
   Push push{-normal * direction, (elastic - normal) * direction};
   const double coefficient = model_.settings().friction;
   if (entry.brokenBond == kNone && coefficient > 0.0) {
-    const double give = isAwake(entry.other, moment_) ? 1.0 / massShare(contacts_, entry.other, looks) : 0.0;
+    const double give = moment_.moves(entry.other) ? 1.0 / massShare(contacts_, entry.other, looks) : 0.0;
     const double reduced = 1.0 / (1.0 / massShare(contacts_, node, looks) + give);
     const Vec3 slip = -(relative - separating * direction);
     const Vec3 friction = frictionForce(slip, coefficient * elastic, reduced, moment_.kick);

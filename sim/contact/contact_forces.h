@@ -27,6 +27,12 @@ struct ContactMoment {
   bool scaled = true;              ///< some material's stiffness may be other than the network says
   /// The forces are those of a whole step, at whose end nothing may be too deep. False: they are rates.
   bool wholeStep = false;
+
+  /// Whether forces move the node.
+  bool moves(NodeIndex node) const {
+    return awake.empty() ||
+           ((static_cast<unsigned>(awake[node / kBlockNodes]) >> (node % kBlockNodes)) & 1U) != 0;
+  }
 };
 
 /// What was found of a row when it was last looked at.

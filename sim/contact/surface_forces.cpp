@@ -31,11 +31,6 @@ PairConstants constantsNow(const ContactModel& model, const SurfaceContact& cont
   return model.scaled(unscaled, contact.nodes[0], {0.0, other, kNone}, moment.materials);
 }
 
-bool isMoved(NodeIndex node, const ContactMoment& moment) {
-  return moment.awake.empty() ||
-         ((static_cast<unsigned>(moment.awake[node / kBlockNodes]) >> (node % kBlockNodes)) & 1U) != 0;
-}
-
 /// cm: what is that deep at the end of a step is stopped there.
 double deepestGap(const SurfaceContact& contact) {
   return contact.rho - kDeepestShare * contact.natural;
@@ -91,7 +86,7 @@ void stopFalls(const ContactModel& model, const SurfaceRows& rows, const Contact
     double change = 0.0;  // cm/s^2: by the push that there is
     for (std::size_t i = 0; i < 4; ++i) {
       const double mass = model.network().masses[contact.nodes[i]];
-      if (!std::isfinite(mass) || !isMoved(contact.nodes[i], moment)) continue;
+      if (!std::isfinite(mass) || !moment.moves(contact.nodes[i])) continue;
       const double weight = push.gap.weights[i];
       give += weight * weight * stopped[contact.nodes[i]] / mass;
       change += weight * push.total[i].dot(push.gap.normal) / mass;
@@ -123,7 +118,7 @@ void addSurfaceForces(const ContactModel& model, const SurfaceRows& rows, const 
     if (!pushes[c].pushes) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       const NodeIndex node = rows.contacts[c].nodes[i];
-      if (!isMoved(node, moment)) continue;
+      if (!moment.moves(node)) continue;
       forces.touched[node / kBlockNodes] = 1;
       forces.total.add(node, pushes[c].total[i]);
       forces.lossy.add(node, pushes[c].lossy[i]);
