@@ -14,8 +14,8 @@ namespace {
 constexpr double kSameWay = 0.5;
 /// Of all depths of a fragment in a collider, so much must add up to one way.
 constexpr double kOneWay = 0.7;
-/// Cosine: ways of two colliders that squeeze what is between them.
-constexpr double kAgainst = -0.3;
+/// Of the way out: if on it some node gets deeper into something by more, there is no such way.
+constexpr double kDeeper = 0.1;
 
 double depthIn(const MovingCollider& collider, const Vec3& point) {
   return collider.active ? std::max(0.0, intrusion(collider.shape, point).depth) : 0.0;
@@ -51,8 +51,11 @@ namespace {
 struct Way {
   Vec3 sum = Vec3::Zero();
   double depths = 0.0;
+  double deepest = 0.0;  ///< cm
+  bool open = false;     ///< it can go there
 
   bool isOne() const { return sum.norm() > kOneWay * depths; }
+  Vec3 move() const { return deepest * sum.normalized(); }
 };
 using Ways = std::map<std::pair<FragmentId, std::uint32_t>, Way>;
 
@@ -65,12 +68,19 @@ std::set<FragmentId> heldFragments(const StartDepths::Scene& scene) {
   return held;
 }
 
-bool isSqueezed(const Ways& ways, FragmentId fragment, const Vec3& way) {
-  const auto end = ways.upper_bound({fragment, std::numeric_limits<std::uint32_t>::max()});
-  for (auto other = ways.lower_bound({fragment, 0}); other != end; ++other) {
-    if (other->second.sum.normalized().dot(way) < kAgainst) return true;
+/// Whether a fragment, moved so, would get no deeper into anything. What stands across a thin wall, or
+/// between two walls, would.
+bool mayMove(const StartDepths::Scene& scene, FragmentId fragment, const Vec3& move) {
+  const double most = kDeeper * move.norm();
+  for (NodeIndex node = 0; node < scene.positions.size(); ++node) {
+    if (scene.components.of(node) != fragment) continue;
+    const Vec3 here = scene.positions.get(node);
+    for (const MovingCollider& collider : scene.colliders) {
+      const double after = depthIn(collider, here + move);
+      if (after > most && after > depthIn(collider, here) + most) return false;
+    }
   }
-  return false;
+  return true;
 }
 
 }  // namespace
@@ -94,15 +104,19 @@ void StartDepths::begin(const Scene& scene, std::span<const NodeAtCollider> near
     Way& way = ways[{scene.components.of(node), c}];
     way.sum += more * inside.normal;
     way.depths += more;
+    way.deepest = std::max(way.deepest, more);
   }
   if (begun.empty()) return;
   const std::set<FragmentId> held = heldFragments(scene);
+  for (auto& [place, way] : ways) {
+    const FragmentId fragment = place.first;
+    way.open = way.isOne() && !held.contains(fragment) && mayMove(scene, fragment, way.move());
+  }
   for (Depth& depth : begun) {
-    const FragmentId fragment = scene.components.of(depth.node);
-    const Way& all = ways.at({fragment, depth.collider});
-    const Vec3 way = all.sum.normalized();
-    if (!all.isOne() || held.contains(fragment) || isSqueezed(ways, fragment, way)) continue;
-    depth.way = {way.x(), way.y(), way.z()};
+    const Way& way = ways.at({scene.components.of(depth.node), depth.collider});
+    if (!way.open) continue;
+    const Vec3 out = way.sum.normalized();
+    depth.way = {out.x(), out.y(), out.z()};
   }
   // What begins anew comes first where something had begun already.
   begun.insert(begun.end(), depths_.begin(), depths_.end());

@@ -51,8 +51,8 @@ class StartDepths {
   /// then collider. Colliders are in one order in both; there may be more now.
   ///
   /// A fragment is pushed one way out of a collider, and only by nodes whose nearest way that is. It is let
-  /// be where its nodes would have to go different ways, where two colliders push it against each other, and
-  /// where some of it is held.
+  /// be where its nodes would have to go different ways, where it would get deeper into something on the way,
+  /// and where some of it is held.
   void begin(const Scene& scene, std::span<const NodeAtCollider> near,
              std::span<const MovingCollider> before);
   /// Forgets nodes that are out by now, and how deep others were that are less deep. Once a step.

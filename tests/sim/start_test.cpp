@@ -82,6 +82,9 @@ TEST_CASE("what has no one way out is neither torn apart nor thrown") {
   SECTION("across a wall that is narrower than it is") {
     environment.colliders.push_back(boxAt(Vec3(1.5, 1.5, 1.0), Vec3(0.8, 9.0, 9.0)));
   }
+  SECTION("across a thin wall, with its middle in the middle") {
+    environment.colliders.push_back(boxAt(Vec3(2.0, 1.5, 1.0), Vec3(0.9, 9.0, 9.0)));
+  }
   SECTION("longer than the box that it stands in") {
     environment.colliders.push_back(boxAt(Vec3(1.5, 1.5, 1.0), Vec3(1.2, 2.0, 2.0)));
   }

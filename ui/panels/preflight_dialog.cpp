@@ -22,6 +22,8 @@ namespace {
 constexpr double kBadSkew = 0.3;
 constexpr double kBadStretch = 4.0;
 constexpr double kLongRun = 120.0;  // s
+/// As often are parts moved by one click: as many as lie one on the other.
+constexpr int kMostMoves = 20;
 /// As many overlaps are told of; the rest is counted.
 constexpr std::size_t kMostOverlaps = 6;
 
@@ -251,7 +253,9 @@ void PreflightDialog::showOverlaps(const modeling::Preflight& flight) {
   moveOut_->setVisible(
       std::ranges::any_of(found_, [](const modeling::Overlap& overlap) { return overlap.mend.has_value(); }));
   const double before = std::exchange(depthMoved_, 0.0);
-  if (before > 0.0 && depthOf(found_) >= before)
+  const bool helped = depthOf(found_) < before;
+  if (helped && !found_.empty() && movesLeft_ > 0) return moveOn();
+  if (before > 0.0 && !helped)
     overlaps_->setText(tr("They do not come free by being moved like this: move them by hand.") +
                        QStringLiteral("\n") + overlapLines(found_));
   // The lines wrap, and a layout asks for their height only once it knows the width.
@@ -261,9 +265,17 @@ void PreflightDialog::showOverlaps(const modeling::Preflight& flight) {
 }
 
 void PreflightDialog::moveOut() {
+  movesLeft_ = kMostMoves;
+  session_.document().endGesture();
+  moveOn();
+}
+
+void PreflightDialog::moveOn() {
+  --movesLeft_;
   depthMoved_ = depthOf(found_);
-  session_.document().edit(tr("Move Out"),
-                           [&](modeling::Scene& scene) { modeling::applyMends(found_, scene); });
+  session_.document().edit(
+      tr("Move Out"), [&](modeling::Scene& scene) { modeling::applyMends(found_, scene); },
+      QStringLiteral("move out"));
   look();
 }
 

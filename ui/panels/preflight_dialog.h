@@ -36,6 +36,7 @@ class PreflightDialog : public QDialog {
   void showFlight(const modeling::Preflight& flight);
   void showOverlaps(const modeling::Preflight& flight);
   void moveOut();
+  void moveOn();
   void showProblem(const sim::Problem& problem);
   void showParts();
 
@@ -56,6 +57,7 @@ class PreflightDialog : public QDialog {
   QLabel* overlaps_;  ///< a line each
   QPushButton* moveOut_;
   std::vector<modeling::Overlap> found_;  ///< what the lines are about
+  int movesLeft_ = 0;  ///< what moves out of one thing may come into the next, and is moved on
   double depthMoved_ =
       0.0;  ///< cm: all depths before the parts were moved, until the next look; zero: they were not
   QTreeWidget* parts_;
