@@ -114,7 +114,7 @@ void addGaps(Cases& cases) {
 modeling::Scene onSlab(double cell, double friction) {
   modeling::Scene scene = emptyScene();
   holdAll(addSlab(scene, Vec3(45.0, 6.0, 1.0), 1.0, Vec3(17.0, 0.0, 0.0)));
-  addSlab(scene, kBlock, cell, aside(1.02));
+  addSlab(scene, kBlock, cell, aside(1.0 + 0.02 * cell));
   scene.solver.contact.friction = friction;
   return scene;
 }
