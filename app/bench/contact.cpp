@@ -45,7 +45,7 @@ Json told(const ContactCase& one, std::size_t index, const BothKinds& both) {
     *surfaces /= *nodes;
     nodes = 1.0;
   }
-  std::printf("%-44s %-11s %-42s %-5s %9s %-13s %9s %9s %7.2f %7s %8.1e\n", one.what.c_str(),
+  std::printf("%-70s %-11s %-42s %-5s %9s %-13s %9s %9s %7.2f %7s %8.1e\n", one.what.c_str(),
               one.cells.c_str(), quantity.name.c_str(), quantity.unit.c_str(),
               number(quantity.expected).c_str(), quantity.goal.c_str(), number(surfaces).c_str(),
               number(nodes).c_str(), both.surfaces.cpuSeconds, number(cpuNodes).c_str(),
@@ -70,7 +70,7 @@ sim::Status benchContact(bool quick, const std::optional<std::filesystem::path>&
   const auto cases = contactCases();
   if (!cases) return cases.problem();
   Json::Array rows;
-  std::printf("%-44s %-11s %-42s %-5s %9s %-13s %9s %9s %7s %7s %8s\n", "what", "cells", "quantity", "unit",
+  std::printf("%-70s %-11s %-42s %-5s %9s %-13s %9s %9s %7s %7s %8s\n", "what", "cells", "quantity", "unit",
               "expected", "goal", "surfaces", "nodes", "CPU, s", "nodes", "max rise");
   for (const ContactCase& one : *cases) {
     if (quick && one.slow) continue;

@@ -1,11 +1,16 @@
 #include "app/bench/contact_measure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
 
 #include "app/bench/bodies.h"
 #include "app/bench/timing.h"
+#include "sim/contact/closest_point.h"
 #include "sim/contact/outside.h"
 
 namespace app {
@@ -50,53 +55,56 @@ Nodes layerOf(const sim::Network& network, std::size_t part, double up) {
   return layer;
 }
 
-/// The faces of one part against the nodes of another, seen along z.
+/// What of one part is inside another: its nodes and the middles of its edges.
 class Meeting {
  public:
-  /// `up` 1: of faces that look up; -1: of faces that look down.
-  Meeting(const sim::Network& network, std::size_t ofFaces, std::size_t ofNodes, double up)
-      : nodes_(nodesOf(network, ofNodes)), up_(up) {
+  Meeting(const sim::Network& network, std::size_t solid, std::size_t other)
+      : nodes_(nodesOf(network, other)) {
     const sim::Outside outside(network);
     for (const sim::OutsideTriangle& triangle : outside.triangles()) {
-      if (network.nodeParts[triangle.nodes[0]] == ofFaces) triangles_.push_back(triangle);
+      if (network.nodeParts[triangle.nodes[0]] == solid) triangles_.push_back(triangle.nodes);
+    }
+    for (const sim::OutsideEdge& edge : outside.edges()) {
+      if (network.nodeParts[edge.nodes[0]] == other) edges_.push_back(edge.nodes);
     }
   }
 
-  /// cm: how deep the deepest node is behind the faces, along their normals; 0: none is.
+  /// cm: how deep the deepest of them is, on the shortest way out; 0: none is inside.
   double deepest(const std::vector<Vec3>& positions) const {
+    Eigen::AlignedBox3d box;
+    for (const auto& triangle : triangles_) {
+      for (const sim::NodeIndex node : triangle) box.extend(positions[node]);
+    }
     double deepest = 0.0;
-    for (const sim::NodeIndex node : nodes_)
-      deepest = std::max(deepest, depthOf(positions[node], positions).value_or(0.0));
+    const auto look = [&](const Vec3& point) {
+      if (box.contains(point)) deepest = std::max(deepest, depthOf(point, positions));
+    };
+    for (const sim::NodeIndex node : nodes_) look(positions[node]);
+    for (const auto& [a, b] : edges_) look(0.5 * (positions[a] + positions[b]));
     return deepest;
   }
 
  private:
-  /// Behind the nearest face that covers it.
-  std::optional<double> depthOf(const Vec3& point, const std::vector<Vec3>& positions) const {
-    std::optional<double> least;
-    for (const sim::OutsideTriangle& triangle : triangles_) {
-      const auto depth = behind(triangle, point, positions);
-      if (depth && (!least || *depth < *least)) least = depth;
+  double depthOf(const Vec3& point, const std::vector<Vec3>& positions) const {
+    double solidAngle = 0.0, nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [i, j, k] : triangles_) {
+      const Vec3 a = positions[i], b = positions[j], c = positions[k];
+      const Vec3 weights = sim::closestOnTriangle(point, a, b, c).weights;
+      nearest = std::min(nearest, (weights[0] * a + weights[1] * b + weights[2] * c - point).norm());
+      solidAngle += solidAngleOf(a - point, b - point, c - point);
     }
-    return least;
+    // It is 4 pi inside and 0 outside.
+    return std::abs(solidAngle) > 2.0 * std::numbers::pi ? nearest : 0.0;
   }
-  std::optional<double> behind(const sim::OutsideTriangle& triangle, const Vec3& point,
-                               const std::vector<Vec3>& positions) const {
-    const Vec3& a = positions[triangle.nodes[0]];
-    const Vec3 ab = positions[triangle.nodes[1]] - a, ac = positions[triangle.nodes[2]] - a, ap = point - a;
-    const Vec3 normal = ab.cross(ac);
-    // What is steeper than some 70 degrees is a side.
-    constexpr double kFlat = 0.3;
-    if (!(up_ * normal.z() > kFlat * normal.norm())) return std::nullopt;
-    const double alongAb = (ap.x() * ac.y() - ap.y() * ac.x()) / normal.z();
-    const double alongAc = (ab.x() * ap.y() - ab.y() * ap.x()) / normal.z();
-    if (alongAb < 0.0 || alongAc < 0.0 || alongAb + alongAc > 1.0) return std::nullopt;
-    return -ap.dot(normal) / normal.norm();
+  /// After A. van Oosterom and J. Strackee, "The solid angle of a plane triangle" (1983).
+  static double solidAngleOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    return 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
 
-  std::vector<sim::OutsideTriangle> triangles_;
+  std::vector<std::array<sim::NodeIndex, 3>> triangles_;
   Nodes nodes_;
-  double up_;
+  std::vector<std::array<sim::NodeIndex, 2>> edges_;
 };
 
 /// Since when everything that can move has slept.
@@ -212,10 +220,10 @@ ContactMeasure lateSlideUntil(double until) {
 
 ContactMeasure deepestUntil(double until) {
   return [until](TimedRun& run) -> sim::Result<ContactValues> {
-    const Meeting above(run.network(), 0, 1, 1.0), below(run.network(), 1, 0, -1.0);
+    const Meeting inLower(run.network(), 0, 1), inUpper(run.network(), 1, 0);
     double deepest = 0.0;
     const auto look = [&](const sim::Snapshot& now) {
-      deepest = std::max({deepest, above.deepest(now.positions), below.deepest(now.positions)});
+      deepest = std::max({deepest, inLower.deepest(now.positions), inUpper.deepest(now.positions)});
     };
     constexpr int kLooks = 500;
     if (const sim::Status ran = run.looking(kLooks, until, look); !ran) return ran.problem();

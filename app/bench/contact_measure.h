@@ -54,7 +54,8 @@ ContactMeasure gapAt(double until);
 ContactMeasure slideUntil(double until);
 /// cm by which the last part moves from half of the time on; s after which all sleeps to the end.
 ContactMeasure lateSlideUntil(double until);
-/// The deepest a node of a part gets below the other's faces, as a share of the smallest cell.
+/// How deep either part ever gets into the other, on the shortest way out, as a share of the smallest cell.
+/// What falls through is as deep as it was on the way.
 ContactMeasure deepestUntil(double until);
 /// cm by which the part that moves most is elsewhere; s after which all sleeps to the end.
 ContactMeasure restUntil(double until);
