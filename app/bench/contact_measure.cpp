@@ -69,15 +69,15 @@ class Meeting {
     }
   }
 
-  /// cm: how deep the deepest of them is, on the shortest way out; 0: none is inside.
-  double deepest(const std::vector<Vec3>& positions) const {
+  /// cm: how deep the deepest of them is, on the shortest way out; `known` where none is deeper than that.
+  double deepest(const std::vector<Vec3>& positions, double known) const {
     Eigen::AlignedBox3d box;
     for (const auto& triangle : triangles_) {
       for (const sim::NodeIndex node : triangle) box.extend(positions[node]);
     }
-    double deepest = 0.0;
+    double deepest = known;
     const auto look = [&](const Vec3& point) {
-      if (box.contains(point)) deepest = std::max(deepest, depthOf(point, positions));
+      if (box.contains(point)) deepest = std::max(deepest, depthOf(point, positions, deepest));
     };
     for (const sim::NodeIndex node : nodes_) look(positions[node]);
     for (const auto& [a, b] : edges_) look(0.5 * (positions[a] + positions[b]));
@@ -85,12 +85,15 @@ class Meeting {
   }
 
  private:
-  double depthOf(const Vec3& point, const std::vector<Vec3>& positions) const {
+  /// 0 also where it is no deeper than `known`: most points are near a face, so that few are looked at in
+  /// full.
+  double depthOf(const Vec3& point, const std::vector<Vec3>& positions, double known) const {
     double solidAngle = 0.0, nearest = std::numeric_limits<double>::infinity();
     for (const auto& [i, j, k] : triangles_) {
       const Vec3 a = positions[i], b = positions[j], c = positions[k];
       const Vec3 weights = sim::closestOnTriangle(point, a, b, c).weights;
       nearest = std::min(nearest, (weights[0] * a + weights[1] * b + weights[2] * c - point).norm());
+      if (nearest <= known) return 0.0;
       solidAngle += solidAngleOf(a - point, b - point, c - point);
     }
     // It is 4 pi inside and 0 outside.
@@ -218,15 +221,14 @@ ContactMeasure lateSlideUntil(double until) {
   };
 }
 
-ContactMeasure deepestUntil(double until) {
-  return [until](TimedRun& run) -> sim::Result<ContactValues> {
+ContactMeasure deepestUntil(double until, int looks) {
+  return [until, looks](TimedRun& run) -> sim::Result<ContactValues> {
     const Meeting inLower(run.network(), 0, 1), inUpper(run.network(), 1, 0);
     double deepest = 0.0;
     const auto look = [&](const sim::Snapshot& now) {
-      deepest = std::max({deepest, inLower.deepest(now.positions), inUpper.deepest(now.positions)});
+      deepest = inUpper.deepest(now.positions, inLower.deepest(now.positions, deepest));
     };
-    constexpr int kLooks = 500;
-    if (const sim::Status ran = run.looking(kLooks, until, look); !ran) return ran.problem();
+    if (const sim::Status ran = run.looking(looks, until, look); !ran) return ran.problem();
     return ContactValues{deepest / smallestCell(run.network())};
   };
 }

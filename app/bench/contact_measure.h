@@ -54,9 +54,9 @@ ContactMeasure gapAt(double until);
 ContactMeasure slideUntil(double until);
 /// cm by which the last part moves from half of the time on; s after which all sleeps to the end.
 ContactMeasure lateSlideUntil(double until);
-/// How deep either part ever gets into the other, on the shortest way out, as a share of the smallest cell.
-/// What falls through is as deep as it was on the way.
-ContactMeasure deepestUntil(double until);
+/// How deep either part ever gets into the other, on the shortest way out, as a share of the smallest cell,
+/// in so many looks. What falls through is as deep as it was on the way.
+ContactMeasure deepestUntil(double until, int looks);
 /// cm by which the part that moves most is elsewhere; s after which all sleeps to the end.
 ContactMeasure restUntil(double until);
 /// Speed up of the last part over the speed down with which it began.

@@ -195,14 +195,14 @@ modeling::Scene blockOnSheet(double speed, double cell) {
 
 void addDepths(Cases& cases) {
   const std::vector<ContactQuantity> quantities = {{"deepest", "cells", 0.0, "at most 0.1"}};
-  cases.push_back(
-      ofScene("rod on a slab, edge first", onCells(0.42, 2.0), rodOnSlab(), deepestUntil(0.5), quantities));
+  cases.push_back(ofScene("rod on a slab, edge first", onCells(0.42, 2.0), rodOnSlab(),
+                          deepestUntil(0.5, 500), quantities));
   cases.push_back(ofScene("sheet on a block, edge first", onCells(0.5, 1.0), sheetOnBlock(),
-                          deepestUntil(0.5), quantities));
+                          deepestUntil(0.5, 500), quantities));
   constexpr double kSpeed = 500.0;  // cm/s
   for (const double cell : {0.6, 0.3}) {
     cases.push_back(ofScene("block at 5 m/s on a rubber sheet of 3 mm", text("%g", cell),
-                            blockOnSheet(kSpeed, cell), deepestUntil(6.0 / kSpeed), quantities));
+                            blockOnSheet(kSpeed, cell), deepestUntil(6.0 / kSpeed, 100), quantities));
   }
 }
 
