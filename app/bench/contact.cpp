@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "app/bench/contact_scenes.h"
 #include "app/bench/throughput.h"

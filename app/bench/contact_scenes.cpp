@@ -58,6 +58,7 @@ void addFloor(modeling::Scene& scene) {
   scene.environment.colliders.push_back(floor);
 }
 
+/// The part, which stays where it is until the next is added.
 modeling::Part& addSlab(modeling::Scene& scene, const Vec3& size, double cell, const Vec3& position) {
   modeling::SlabShape slab;
   slab.size = size;
@@ -121,8 +122,8 @@ modeling::Scene onSlab(double cell, double friction, double height = 0.0) {
   return scene;
 }
 
-/// Where it falls first, what friction did not take meanwhile it takes as it lands, all of it a share of the
-/// same push: so the way is hardly longer.
+/// Where the block falls a little first, the same way is expected: as it lands, the push makes up for the
+/// time without any, and friction is a share of the push.
 void addSlide(Cases& cases, double degrees, double friction, double cell, double height) {
   constexpr double kTime = 0.4;  // s
   modeling::Scene scene = onSlab(cell, friction, height);
