@@ -13,6 +13,7 @@
 
 #include "app/bench/accuracy.h"
 #include "app/bench/accuracy_rows.h"
+#include "app/bench/contact.h"
 #include "app/bench/stability.h"
 #include "app/bench/throughput.h"
 #include "modeling/files/output_file.h"
@@ -83,10 +84,11 @@ struct Section {
   const char* name;
   std::string (*write)(const Json::Array& rows);
 };
-constexpr std::array<Section, 5> kSections = {{{"throughput", plainTable},
+constexpr std::array<Section, 6> kSections = {{{"throughput", plainTable},
                                                {"scaling", plainTable},
                                                {"accuracy", accuracySection},
                                                {"stability", stabilityTable},
+                                               {"contact", plainTable},
                                                {"skip", plainTable}}};
 
 /// Measures one after the other; a part that fails costs only itself. Gives the names of those.
@@ -99,6 +101,7 @@ std::vector<std::string> measureAll(const DocumentOptions& options, const std::f
          return benchAccuracy({.quick = options.quick, .scenes = {}, .folder = folder, .plots = folder});
        }},
       {"stability", [&] { return benchStability(options.quick, folder); }},
+      {"contact", [&] { return benchContact(options.quick, folder); }},
       {"skip", [&] { return benchSkip(1, options.quick, folder); }}};
   std::vector<std::string> failed;
   for (const auto& [name, measure] : parts) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/bench/accuracy.h"
+#include "app/bench/contact.h"
 #include "app/bench/document.h"
 #include "app/bench/stability.h"
 #include "app/bench/throughput.h"
@@ -41,7 +42,7 @@ struct BenchOptions {
     modeling::OutputGuard guard(force);
     const std::filesystem::path folder = docs;
     guard.writes(folder / "benchmarks.md", modeling::kinds::benchmarks);
-    for (const char* name : {"throughput", "scaling", "accuracy", "stability", "skip"})
+    for (const char* name : {"throughput", "scaling", "accuracy", "stability", "contact", "skip"})
       guard.writes(folder / "plots" / (std::string(name) + ".json"), modeling::kinds::table);
     addPlots(folder / "plots", guard);
     return guard.check();
@@ -148,6 +149,19 @@ Command stabilityCommand() {
           }};
 }
 
+Command contactCommand() {
+  const auto options = std::make_shared<BenchOptions>();
+  return {.name = "contact",
+          .help = "How bodies touch, by surfaces and by nodes",
+          .options = {{"--out", &options->out, "Folder for contact.json"},
+                      {"--quick", &options->quick, "Leave out what takes more than some seconds"},
+                      forceOption(options->force)},
+          .run = [options] {
+            return measured(options->check("contact"),
+                            [&] { return benchContact(options->quick, BenchOptions::folder(options->out)); });
+          }};
+}
+
 Command allCommand() {
   const auto options = std::make_shared<BenchOptions>();
   return {.name = "all",
@@ -169,7 +183,7 @@ Command benchCommand() {
   return {.name = "bench",
           .help = "Measures speed and memory",
           .commands = {throughputCommand(), scalingCommand(), skipCommand(), accuracyCommand(),
-                       stabilityCommand(), allCommand()}};
+                       stabilityCommand(), contactCommand(), allCommand()}};
 }
 
 }  // namespace app

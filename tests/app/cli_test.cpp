@@ -45,7 +45,7 @@ TEST_CASE("each command explains itself in words that can be read") {
   REQUIRE(main.status == 0);
   for (const std::string command :
        {"simulate", "resume", "info", "render", "export", "import-lammps", "sweep", "calibrate", "bench",
-        "bench throughput", "bench accuracy", "bench all"}) {
+        "bench throughput", "bench accuracy", "bench contact", "bench all"}) {
     INFO(command);
     CHECK(main.output.find("  " + command.substr(0, command.find(' '))) != std::string::npos);
     const auto answer = tests::runCli(command + " --help");
