@@ -10,6 +10,8 @@ namespace {
 /// Moments of inertia below this share of the largest belong to an almost straight row of nodes. Contacts
 /// push at the nodes, so what would spin it about itself is little more than rounding.
 constexpr double kNoExtent = 1e-6;
+/// So many times what it bears for long is too much at once, however short.
+constexpr double kSudden = 3.0;
 
 /// Sine and cosine of half the angle by their series where the next term is below rounding: steps are small.
 constexpr double kSmallAngle = 1e-3;
@@ -134,7 +136,8 @@ void RigidBody::placeTouched(Motion& motion) const {
 bool RigidBody::bears(double load, double seconds, double gravity) {
   if (firstLoad_ < 0.0) firstLoad_ = load_ = load;
   load_ += (load - load_) * std::min(1.0, bearing_.time > 0.0 ? seconds / bearing_.time : 1.0);
-  return load_ <= firstLoad_ + bearing_.most + mass_ * gravity * radius_;
+  const double beside = firstLoad_ + mass_ * gravity * radius_;
+  return load_ <= beside + bearing_.most && load <= beside + kSudden * bearing_.most;
 }
 
 void RigidBody::save(ByteWriter& writer) const {
