@@ -1,5 +1,6 @@
 #include "sim/fragments/rigid_body.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>

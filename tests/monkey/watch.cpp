@@ -51,7 +51,9 @@ void tellStall(int) {
 bool stalledInDriver() {
   for (int call = 0; call < stalledDepth; ++call) {
     Dl_info info;
-    if (dladdr(stalledAt[static_cast<std::size_t>(call)], &info) == 0 || info.dli_fname == nullptr) continue;
+    // What is of no file, the driver has made: nothing else here makes code.
+    if (dladdr(stalledAt[static_cast<std::size_t>(call)], &info) == 0 || info.dli_fname == nullptr)
+      return true;
     const std::string_view file = info.dli_fname;
     for (const char* driver : {"_dri", "libLLVM", "libgallium", "libGLX"})
       if (file.find(driver) != std::string_view::npos) return true;
