@@ -14,7 +14,7 @@ namespace modeling {
 namespace {
 
 /// Enough to measure a step by, and short enough not to be waited for.
-constexpr double kMeasuredSeconds = 0.3;
+constexpr double kMeasuredSeconds = 0.2;
 constexpr std::uint64_t kMostMeasuredSteps = 2000;
 /// Positions and velocities of what vibrates, compressed (docs/formats.md, "Frame").
 constexpr double kFrameBytesPerNode = 38.0;
@@ -67,7 +67,7 @@ void listWorstCells(const sim::Network& network, Preflight& found) {
   }
 }
 
-/// s a step; nothing when it was stopped. A blow-up ends the measuring only.
+/// s a step of this simulation; nothing when it was stopped. A blow-up ends the measuring only.
 std::optional<double> measureStep(sim::Simulation& simulation, const std::function<bool()>& keepGoing) {
   const double start = wallClock();
   std::uint64_t steps = 0;
@@ -76,6 +76,18 @@ std::optional<double> measureStep(sim::Simulation& simulation, const std::functi
     ++steps;
   } while (simulation.stepOnce() && wallClock() - start < kMeasuredSeconds && steps < kMostMeasuredSteps);
   return (wallClock() - start) / static_cast<double>(steps);
+}
+
+/// s a step in which all deforms, as after the first landing.
+sim::Result<double> measureDeforming(const BuiltScene& built, sim::Settings settings,
+                                     const std::function<bool()>& keepGoing) {
+  settings.skip = {.sleep = false, .rigid = false};
+  auto simulation =
+      sim::Simulation::create(built.network, built.conditions.environment, built.conditions.tracks, settings);
+  if (!simulation) return simulation.problem();
+  const std::optional<double> seconds = measureStep(**simulation, keepGoing);
+  if (!seconds) return kStopped;
+  return *seconds;
 }
 
 void estimateTake(const sim::Simulation& simulation, Preflight& found) {
@@ -108,16 +120,20 @@ sim::Result<Preflight> preflight(const Scene& scene, const BuiltScene& built, in
   found.stableStep = (*simulation)->step();
   found.stableStepLimit = (*simulation)->stepLimit();
   found.step = scene.solver.step.seconds.value_or(found.stableStep);
-  found.steps = scene.solver.step.seconds
-                    ? std::ceil(scene.output.duration / found.step)
-                    : expectedSteps(**simulation, built.conditions.environment, built.conditions.tracks,
-                                    settings.skip.rigid, scene.output.duration);
+  const StepCount count = expectedSteps(**simulation, built.conditions.environment, built.conditions.tracks,
+                                        settings.skip.rigid, scene.output.duration);
+  found.steps = scene.solver.step.seconds ? std::ceil(scene.output.duration / found.step) : count.all;
   found.stepsPerSecond = scene.output.duration > 0.0 ? found.steps / scene.output.duration : 1.0 / found.step;
   found.frames = std::floor(std::min(scene.output.duration * scene.output.fps, found.steps)) + 1.0;
   const std::optional<double> wallSecondsPerStep = measureStep(**simulation, keepGoing);
   if (!wallSecondsPerStep) return kStopped;
-  found.wallSecondsPerSecond = found.stepsPerSecond * *wallSecondsPerStep;
-  found.wallSeconds = found.steps * *wallSecondsPerStep;
+  const sim::Result<double> deforming = measureDeforming(built, settings, keepGoing);
+  if (!deforming) return deforming.problem();
+  const double rigidShare = count.all > 0.0 ? count.rigid / count.all : 0.0;
+  const double mean =
+      rigidShare * std::min(*wallSecondsPerStep, *deforming) + (1.0 - rigidShare) * *deforming;
+  found.wallSecondsPerSecond = found.stepsPerSecond * mean;
+  found.wallSeconds = found.steps * mean;
   estimateTake(**simulation, found);
   // What the system counts, since what is asked of it is more than what is used: containers have room to
   // grow, and what was freed stays with the program.

@@ -26,7 +26,8 @@ struct PoorCell {
 };
 
 /// What is known of a run before it begins. Times and the size of the take are estimated by how the run
-/// starts: what breaks later costs more, and what comes to rest costs less.
+/// starts, as if from the first landing on all deformed to the end: what breaks costs more, and what comes to
+/// rest less.
 struct Preflight {
   std::size_t nodes = 0;
   std::size_t bonds = 0;
@@ -55,7 +56,7 @@ struct Preflight {
   static constexpr std::size_t kMostListed = 100;
 };
 
-/// Makes a few steps and measures them, which takes about 0.3 s beside setting up. A Problem where nothing
+/// Makes a few steps and measures them, which takes about 0.4 s beside setting up. A Problem where nothing
 /// can be simulated, or when `keepGoing`, asked now and then, says no.
 sim::Result<Preflight> preflight(const Scene& scene, const BuiltScene& built, int threads = 0,
                                  const std::function<bool()>& keepGoing = {});

@@ -79,8 +79,8 @@ void fly(Flight& flight, const Vec3& gravity, const std::vector<sim::Collider>& 
 
 }  // namespace
 
-double expectedSteps(const sim::Simulation& simulation, const sim::Environment& environment,
-                     const std::vector<sim::Track>& tracks, bool freezesInFlight, double duration) {
+StepCount expectedSteps(const sim::Simulation& simulation, const sim::Environment& environment,
+                        const std::vector<sim::Track>& tracks, bool freezesInFlight, double duration) {
   std::vector<Flight> flights = flightsOf(simulation);
   const double part = duration / kParts;
   std::vector<sim::Simulation::Pace> paces;
@@ -97,9 +97,14 @@ double expectedSteps(const sim::Simulation& simulation, const sim::Environment& 
         flights, [](const Flight& flight) { return std::ranges::count(flight.landed, true) > 0; });
     paces.push_back({time, speed, !(freezesInFlight && allFly), someLie});
   }
-  double steps = 0.0;
-  for (const double step : simulation.stepsAt(paces)) steps += part / step;
-  return std::ceil(steps);
+  StepCount count;
+  const std::vector<double> steps = simulation.stepsAt(paces);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    count.all += part / steps[i];
+    if (!paces[i].deforms) count.rigid += part / steps[i];
+  }
+  count.all = std::ceil(count.all);
+  return count;
 }
 
 }  // namespace modeling
