@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -8,8 +10,11 @@
 #include "app/cli/running.h"
 #include "modeling/exchange/continuation.h"
 #include "modeling/files/output_guard.h"
+#include "modeling/preflight/obstacle_depths.h"
+#include "modeling/preflight/overlaps.h"
 #include "modeling/scene/build.h"
 #include "modeling/scene/scene_file.h"
+#include "modeling/text/printable.h"
 #include "sim/take/take.h"
 
 namespace app {
@@ -122,6 +127,31 @@ sim::Result<std::optional<modeling::Scene>> changedScene(const ResumeOptions& op
   return std::optional(after->scene);
 }
 
+/// What is inside an obstacle that stands still, now that a setting has put it there.
+void tellWhatIsInside(const modeling::Continuation& from) {
+  sim::Network network = from.simulation->network();
+  network.positions = from.simulation->snapshot().positions;
+  const modeling::Conditions conditions = modeling::conditionsOf(from.scene, network.materials);
+  const std::vector<sim::Collider>& colliders = conditions.environment.colliders;
+  for (std::uint32_t c = 0; c < colliders.size(); ++c) {
+    const bool moves = std::ranges::any_of(conditions.tracks, [&](const sim::Track& track) {
+      return sim::drivesCollider(track.target) && track.object == c;
+    });
+    if (moves || !colliders[c].activeAt(from.simulation->time())) continue;
+    const std::vector<modeling::NodeInside> deepest = modeling::deepestNodes(network, colliders[c]);
+    for (std::size_t part = 0; part < deepest.size(); ++part) {
+      if (!(deepest[part].depth > 0.0)) continue;
+      const modeling::Overlap overlap{.kind = modeling::Overlap::Kind::partInObstacle,
+                                      .part = network.partNames[part],
+                                      .other = colliders[c].name,
+                                      .depth = deepest[part].depth,
+                                      .at = network.positions[deepest[part].node],
+                                      .mend = {}};
+      std::cerr << "warning: " << modeling::printable(modeling::sentence(overlap)) << '\n';
+    }
+  }
+}
+
 ExitStatus branch(const ResumeOptions& options) {
   const Stopwatch stopwatch;
   if (const sim::Status status = checkBranch(options); !status) return complain(status.problem());
@@ -142,6 +172,7 @@ ExitStatus branch(const ResumeOptions& options) {
                                   });
   }();
   if (!from) return complain(from.problem());
+  if (from->changed) tellWhatIsInside(*from);
   const double until = options.until.value_or(from->scene.output.duration);
   sim::Result<modeling::Recording> recording =
       modeling::branchTake(**take, *frame, *from, until, options.branch);

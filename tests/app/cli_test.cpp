@@ -160,6 +160,10 @@ TEST_CASE("a run goes on from any frame in a take of its own, as it was or chang
   REQUIRE(goOn("other", "--time 0.008 --set environment.gravity=[0,0,2000]").status == 0);
   CHECK(folder.json("other.json")["state_hash"] != whole["state_hash"]);
   CHECK(framesOf("other") == framesOf("run"));
+  // What is put into a part is told of, with its depth.
+  const auto raised = goOn("raised", R"(--from 0 --set 'environment.colliders.floor.position=[0,0,1.5]')");
+  CHECK(raised.status == 0);
+  CHECK(raised.errors.starts_with("warning: the part \"plate\" begins"));
   // A killed one goes on in place.
   std::filesystem::resize_file(folder.file("other.take"),
                                std::filesystem::file_size(folder.file("other.take")) * 9 / 10);
@@ -171,6 +175,7 @@ TEST_CASE("a run goes on from any frame in a take of its own, as it was or chang
   const std::pair<std::string, std::string> wrong[] = {
       {"--from 4", "--take: a run that goes on from a frame needs a take of its own"},
       {"--from 4 --take " + take, "--take: this is the take that is gone on from"},
+      {"--from 4 --take x.take --until nan", "command line: --until: not a finite number"},
       {"--from 4000 --take x.take", "--from: the take does not have a frame 4000"},
       {"--take x.take", "command line: --take and --set need a frame"},
       {"--from 4 --take x.take --set parts.plate.velocity=[0,0,0]", "--set parts: the parts are not those"},
