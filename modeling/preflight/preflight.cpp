@@ -7,6 +7,7 @@
 #include "modeling/preflight/step_count.h"
 #include "modeling/shapes/quality.h"
 #include "sim/base/process_memory.h"
+#include "sim/methods/method_table.h"
 #include "sim/network/wedge.h"
 #include "sim/take/frame_times.h"
 
@@ -67,27 +68,35 @@ void listWorstCells(const sim::Network& network, Preflight& found) {
   }
 }
 
-/// s a step of this simulation; nothing when it was stopped. A blow-up ends the measuring only.
-std::optional<double> measureStep(sim::Simulation& simulation, const std::function<bool()>& keepGoing) {
+/// Steps that were made, on the average.
+struct MeasuredStep {
+  double wallSeconds = 0.0;
+  double length = 0.0;  ///< s, of animation
+};
+
+/// Nothing when it was stopped. A blow-up ends the measuring only.
+std::optional<MeasuredStep> measureStep(sim::Simulation& simulation, const std::function<bool()>& keepGoing) {
   const double start = wallClock();
+  const double begin = simulation.time();
   std::uint64_t steps = 0;
   do {
     if (keepGoing && !keepGoing()) return std::nullopt;
     ++steps;
   } while (simulation.stepOnce() && wallClock() - start < kMeasuredSeconds && steps < kMostMeasuredSteps);
-  return (wallClock() - start) / static_cast<double>(steps);
+  const auto count = static_cast<double>(steps);
+  return MeasuredStep{(wallClock() - start) / count, (simulation.time() - begin) / count};
 }
 
-/// s a step in which all deforms, as after the first landing.
-sim::Result<double> measureDeforming(const BuiltScene& built, sim::Settings settings,
-                                     const std::function<bool()>& keepGoing) {
+/// Steps in which all deforms, as after the first landing.
+sim::Result<MeasuredStep> measureDeforming(const BuiltScene& built, sim::Settings settings,
+                                           const std::function<bool()>& keepGoing) {
   settings.skip = {.sleep = false, .rigid = false};
   auto simulation =
       sim::Simulation::create(built.network, built.conditions.environment, built.conditions.tracks, settings);
   if (!simulation) return simulation.problem();
-  const std::optional<double> seconds = measureStep(**simulation, keepGoing);
-  if (!seconds) return kStopped;
-  return *seconds;
+  const std::optional<MeasuredStep> measured = measureStep(**simulation, keepGoing);
+  if (!measured) return kStopped;
+  return *measured;
 }
 
 void estimateTake(const sim::Simulation& simulation, Preflight& found) {
@@ -123,15 +132,18 @@ sim::Result<Preflight> preflight(const Scene& scene, const BuiltScene& built, in
   const StepCount count = expectedSteps(**simulation, built.conditions.environment, built.conditions.tracks,
                                         settings.skip.rigid, scene.output.duration);
   found.steps = scene.solver.step.seconds ? std::ceil(scene.output.duration / found.step) : count.all;
-  found.stepsPerSecond = scene.output.duration > 0.0 ? found.steps / scene.output.duration : 1.0 / found.step;
   found.frames = std::floor(std::min(scene.output.duration * scene.output.fps, found.steps)) + 1.0;
-  const std::optional<double> wallSecondsPerStep = measureStep(**simulation, keepGoing);
-  if (!wallSecondsPerStep) return kStopped;
-  const sim::Result<double> deforming = measureDeforming(built, settings, keepGoing);
+  const std::optional<MeasuredStep> present = measureStep(**simulation, keepGoing);
+  if (!present) return kStopped;
+  const sim::Result<MeasuredStep> deforming = measureDeforming(built, settings, keepGoing);
   if (!deforming) return deforming.problem();
+  // Methods that solve for a step take shorter ones where they must, which nobody knows before.
+  if (sim::recordOf(settings.method).implicit && deforming->length > 0.0)
+    found.steps = std::max(found.steps, std::ceil(scene.output.duration / deforming->length));
+  found.stepsPerSecond = scene.output.duration > 0.0 ? found.steps / scene.output.duration : 1.0 / found.step;
   const double rigidShare = count.all > 0.0 ? count.rigid / count.all : 0.0;
-  const double mean =
-      rigidShare * std::min(*wallSecondsPerStep, *deforming) + (1.0 - rigidShare) * *deforming;
+  const double mean = rigidShare * std::min(present->wallSeconds, deforming->wallSeconds) +
+                      (1.0 - rigidShare) * deforming->wallSeconds;
   found.wallSecondsPerSecond = found.stepsPerSecond * mean;
   found.wallSeconds = found.steps * mean;
   estimateTake(**simulation, found);

@@ -121,8 +121,10 @@ void StartDepths::begin(const Scene& scene, std::span<const NodeAtCollider> near
   // What begins anew comes first where something had begun already.
   begun.insert(begun.end(), depths_.begin(), depths_.end());
   std::ranges::stable_sort(begun, {}, placeOf);
-  const auto repeated = std::ranges::unique(begun, {}, placeOf);
-  begun.erase(repeated.begin(), repeated.end());
+  begun.erase(
+      std::unique(begun.begin(), begun.end(),
+                  [](const Depth& left, const Depth& right) { return placeOf(left) == placeOf(right); }),
+      begun.end());
   depths_ = std::move(begun);
 }
 
