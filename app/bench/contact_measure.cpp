@@ -90,7 +90,9 @@ class Meeting {
   double depthOf(const Vec3& point, const std::vector<Vec3>& positions, double known) const {
     double solidAngle = 0.0, nearest = std::numeric_limits<double>::infinity();
     for (const auto& [i, j, k] : triangles_) {
-      const Vec3 a = positions[i], b = positions[j], c = positions[k];
+      const Vec3& a = positions[i];
+      const Vec3& b = positions[j];
+      const Vec3& c = positions[k];
       const Vec3 weights = sim::closestOnTriangle(point, a, b, c).weights;
       nearest = std::min(nearest, (weights[0] * a + weights[1] * b + weights[2] * c - point).norm());
       if (nearest <= known) return 0.0;
