@@ -86,6 +86,7 @@ int thrownDepth = 0;
 
 #ifndef __SANITIZE_ADDRESS__
 /// In place of the library's, to know where an exception came from that was caught far away.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): it is the library's name.
 extern "C" [[noreturn]] void __cxa_throw(void* thrown, std::type_info* type, void (*destroy)(void*)) {
   using Throw = void (*)(void*, std::type_info*, void (*)(void*));
   static const auto real = reinterpret_cast<Throw>(dlsym(RTLD_NEXT, "__cxa_throw"));
